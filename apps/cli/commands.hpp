@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// One function per subcommand, each in a file of its name; main.cpp calls them all.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace counterpart::cli {
+
+void add_match(CLI::App& program);
+
+}  // namespace counterpart::cli

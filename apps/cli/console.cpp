@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "console.hpp"
+
+#include <counterpart/io/atomic_file.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace counterpart::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class Bar {
+  public:
+    explicit Bar(std::string label) : label_(std::move(label)) {}
+    Bar(const Bar&) = delete;
+    Bar& operator=(const Bar&) = delete;
+    ~Bar() {
+        if (shown_) std::fputs("\r\033[K", stderr);
+    }
+
+    void show(double fraction) {
+        const auto now = Clock::now();
+        if (now - start_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(100)) return;
+        last_ = now;
+        shown_ = true;
+        constexpr int width = 40;
+        const int filled = static_cast<int>(fraction * width + 0.5);
+        std::fputs(
+            fmt::format("\r{} [{}{}] {:3.0f} %", label_, std::string(static_cast<std::size_t>(filled), '='),
+                        std::string(static_cast<std::size_t>(width - filled), ' '), 100 * fraction)
+                .c_str(),
+            stderr);
+        std::fflush(stderr);
+    }
+
+  private:
+    std::string label_;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+    bool shown_ = false;
+};
+
+}  // namespace
+
+void add_common_options(CLI::App& command, CommonOptions& options) {
+    command
+        .add_option("--threads", options.threads,
+                    "Number of threads; 0 = all. The result does not depend on it")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    command.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
+    command
+        .add_option("--report", options.report, "Write what was found and how long it took to this JSON file")
+        ->type_name("FILE");
+}
+
+void say(const CommonOptions& options, const std::string& message) {
+    if (!options.quiet) std::fputs((message + "\n").c_str(), stderr);
+}
+
+void warn(const std::string& message) { std::fputs(("warning: " + message + "\n").c_str(), stderr); }
+
+TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options) {
+    MeshFile loaded = read_mesh(file);
+    for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
+    return std::move(loaded.mesh);
+}
+
+Progress progress_bar(const std::string& label, const CommonOptions& options) {
+    if (options.quiet || isatty(STDERR_FILENO) == 0) return {};
+    return [bar = std::make_shared<Bar>(label)](double fraction) {
+        bar->show(fraction);
+        return true;
+    };
+}
+
+void write_report(const Json& report, const CommonOptions& options) {
+    if (!options.report.empty()) write_file(report.dump(2) + "\n", options.report);
+}
+
+Json to_json(const std::vector<StageTime>& stages) {
+    Json json = Json::object();
+    for (const StageTime& stage : stages) json[stage.stage] = stage.seconds;
+    return json;
+}
+
+}  // namespace counterpart::cli

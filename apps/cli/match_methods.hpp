@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What `counterpart match` asks of each method. A method lives in match_<name>.cpp: it adds its own options
+// to the command and returns how to run it.
+#pragma once
+
+#include "console.hpp"
+
+#include <counterpart/map/vertex_map.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace counterpart::cli {
+
+struct MatchInput {
+    const TriangleMesh& source;
+    const TriangleMesh& target;
+    const CommonOptions& common;
+    Progress progress;
+};
+
+struct MatchOutcome {
+    VertexMap target_from_source;
+    std::vector<std::string> messages;  ///< sentences for the user
+    Json details = Json::object();      ///< the method's part of the report
+    std::vector<StageTime> stages;
+};
+
+struct MatchMethod {
+    std::string name;
+    std::string summary;  ///< half a line for --help
+    std::function<MatchOutcome(const MatchInput&)> run;
+};
+
+MatchMethod add_nearest_method(CLI::App& match);
+
+}  // namespace counterpart::cli

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match_methods.hpp"
+
+#include <counterpart/match/nearest.hpp>
+
+namespace counterpart::cli {
+
+MatchMethod add_nearest_method(CLI::App& /*match*/) {
+    return {"nearest", "centres of mass aligned, then the closest vertex (the paper's naive baseline)",
+            [](const MatchInput& input) {
+                MatchOutcome outcome;
+                outcome.target_from_source =
+                    match_nearest(input.source, input.target, {.n_threads = input.common.threads})
+                        .target_from_source;
+                return outcome;
+            }};
+}
+
+}  // namespace counterpart::cli

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace counterpart {
+
+/// SplitMix64 (Steele, Lea, Flood 2014): the same sequence from the same seed with every compiler and
+/// library, which the distributions of <random> do not promise.
+class Random {
+  public:
+    explicit Random(std::uint64_t seed) : state_(seed) {}
+
+    /// Uniform over all 64-bit values.
+    std::uint64_t next() {
+        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31);
+    }
+
+    /// Uniform in [0, 1).
+    double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+    /// Uniform in [low, high).
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Uniform in 0 .. count - 1; count must be positive. Bias below count / 2^64.
+    std::uint64_t below(std::uint64_t count) { return next() % count; }
+
+    /// Fisher-Yates.
+    template <class T>
+    void shuffle(std::vector<T>& items) {
+        for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+}  // namespace counterpart

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+namespace counterpart {
+
+/// Sum of the triangles' areas, in squared mesh units.
+double surface_area(const TriangleMesh& mesh);
+/// Area of each triangle.
+Vector triangle_areas(const TriangleMesh& mesh);
+/// A third of the area of the triangles around each vertex; sums to surface_area.
+Vector vertex_areas(const TriangleMesh& mesh);
+/// Unit normal of each triangle; zero for a degenerate one.
+Points triangle_normals(const TriangleMesh& mesh);
+/// Area-weighted average of the normals of the triangles around each vertex, unit length; zero where
+/// undefined.
+Points vertex_normals(const TriangleMesh& mesh);
+/// Mean length of the undirected edges. O(V + F).
+double mean_edge_length(const TriangleMesh& mesh);
+/// Enclosed volume by the divergence theorem: positive for a closed mesh wound counter-clockwise seen from
+/// outside.
+double signed_volume(const TriangleMesh& mesh);
+/// Mean of the surface: the area-weighted average of the triangles' centres.
+Eigen::Vector3d surface_centroid(const TriangleMesh& mesh);
+
+}  // namespace counterpart

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/base/types.hpp>
+
+namespace counterpart {
+
+/// A triangle mesh as plain data. Any set of triangles is allowed: boundaries, several components, isolated
+/// vertices, non-manifold edges. Vertex and triangle numbers count from 0.
+struct TriangleMesh {
+    Points vertices;      ///< n_vertices x 3, in the mesh's units
+    Triangles triangles;  ///< n_triangles x 3, counter-clockwise seen from outside
+
+    Index n_vertices() const { return static_cast<Index>(vertices.rows()); }
+    Index n_triangles() const { return static_cast<Index>(triangles.rows()); }
+};
+
+/// Throws InvalidInput naming the first bad element: no vertices, no triangles, a coordinate that is not
+/// finite, or a vertex number out of range. Every public function that takes a mesh expects it to pass. O(V +
+/// F).
+void require_valid(const TriangleMesh& mesh);
+
+}  // namespace counterpart
