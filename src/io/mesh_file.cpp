@@ -1,48 +1,69 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/formats.hpp"
+#include "io/whole_file.hpp"
+
 #include <counterpart/base/errors.hpp>
+#include <counterpart/io/atomic_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
-#include <fstream>
-#include <sstream>
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <fmt/format.h>
 
 namespace counterpart {
+namespace {
+
+struct Format {
+    std::string_view extension;
+    MeshFile (*read)(std::string_view bytes, const std::string& name);
+    std::string (*bytes)(const TriangleMesh& mesh);
+};
+
+constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
+                                            {".obj", read_obj, obj_bytes},
+                                            {".ply", read_ply, ply_bytes},
+                                            {".stl", read_stl, stl_bytes}}};
+
+const Format& format_of(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    const auto* found = std::find_if(formats.begin(), formats.end(),
+                                     [&](const Format& format) { return format.extension == extension; });
+    if (found == formats.end()) {
+        throw IoError(fmt::format("{}: the name must end in .off, .obj, .ply or .stl, which tells the format",
+                                  file.string()));
+    }
+    return *found;
+}
+
+}  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw IoError(file.string() + ": cannot be opened");
-    std::vector<double> xyz;
-    std::vector<Index> abc;
-    if (file.extension() == ".obj") {
-        std::string line, word;
-        while (std::getline(stream, line)) {
-            std::istringstream words(line);
-            words >> word;
-            if (word == "v")
-                for (double x; words >> x;) xyz.push_back(x);
-            if (word == "f")
-                while (words >> word) abc.push_back(std::stoi(word) - 1);
-            word.clear();
-        }
-    } else {
-        std::string off;
-        int nv = 0, nf = 0, n = 0;
-        stream >> off >> nv >> nf >> n;
-        xyz.resize(static_cast<std::size_t>(nv) * 3);
-        for (double& x : xyz) stream >> x;
-        for (int i = 0; i < nf; ++i) {
-            stream >> n;
-            for (int c = 0; c < 3; ++c) {
-                stream >> n;
-                abc.push_back(n);
-            }
-        }
+    const Format& format = format_of(file);
+    try {
+        MeshFile result = format.read(read_whole_file(file), file.string());
+        require_valid(result.mesh);
+        return result;
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
     }
-    MeshFile result;
-    result.mesh.vertices = Eigen::Map<Points>(xyz.data(), static_cast<Eigen::Index>(xyz.size() / 3), 3);
-    result.mesh.triangles = Eigen::Map<Triangles>(abc.data(), static_cast<Eigen::Index>(abc.size() / 3), 3);
-    require_valid(result.mesh);
-    return result;
+}
+
+void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
+    const Format& format = format_of(file);
+    try {
+        require_valid(mesh);
+        if (format.extension == ".stl" &&
+            mesh.vertices.cwiseAbs().maxCoeff() > static_cast<double>(std::numeric_limits<float>::max()))
+            throw InvalidInput("a coordinate is too large for the floats of STL");
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
+    }
+    write_file(format.bytes(mesh), file);
 }
 
 }  // namespace counterpart

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// One reader and one writer per mesh format, between the bytes of a whole file and a mesh.
+//
+// They are our own because the readers of the libraries at hand (CGAL's polygon soups among them) give no
+// line numbers, let bad indices pass, and take longer; text goes through std::from_chars, and files are read
+// in one go. A reader is given the file's name for its messages, throws IoError, and leaves the checks of
+// require_valid that need no line number to read_mesh.
+#pragma once
+
+#include <counterpart/io/mesh_file.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace counterpart {
+
+MeshFile read_off(std::string_view bytes, const std::string& name);
+MeshFile read_obj(std::string_view bytes, const std::string& name);
+MeshFile read_ply(std::string_view bytes, const std::string& name);
+MeshFile read_stl(std::string_view bytes, const std::string& name);
+
+std::string off_bytes(const TriangleMesh& mesh);
+std::string obj_bytes(const TriangleMesh& mesh);
+std::string ply_bytes(const TriangleMesh& mesh);
+std::string stl_bytes(const TriangleMesh& mesh);
+
+}  // namespace counterpart

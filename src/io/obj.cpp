@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Wavefront OBJ: the lines `v` and `f`; all other lines (texture, normals, groups, materials, curves) are
+// passed over.
+#include "io/decimal.hpp"
+#include "io/formats.hpp"
+#include "io/mesh_collector.hpp"
+#include "io/text_cursor.hpp"
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+// Positive numbers count from 1 and may name vertices that follow later; negative ones count back from the
+// last vertex so far.
+struct LargestReference {
+    std::int64_t vertex = 0;
+    int line = 0;
+};
+
+// `corner` is v, v/vt, v//vn or v/vt/vn.
+Index read_corner(TextCursor& text, std::int64_t n_vertices_so_far, LargestReference& largest) {
+    const std::int64_t number = text.integer("vertex of a face", '/');
+    if (text.peek() == '/') text.word();
+    if (number > 0 && number <= max_count) {
+        if (number > largest.vertex) largest = {number, text.line()};
+        return static_cast<Index>(number - 1);
+    }
+    if (number < 0 && number >= -n_vertices_so_far) return static_cast<Index>(n_vertices_so_far + number);
+    text.fail(number == 0 ? "the face names vertex 0, but OBJ counts vertices from 1"
+                          : fmt::format("the face names vertex {}, but only {} vertices precede it", number,
+                                        n_vertices_so_far));
+}
+
+}  // namespace
+
+MeshFile read_obj(std::string_view bytes, const std::string& name) {
+    TextCursor text(bytes, name);
+    MeshCollector mesh;
+    LargestReference largest;
+    std::vector<Index> corners;
+    for (; text.next_content(); text.next_line()) {
+        const std::string_view key_word = text.word();
+        if (key_word == "v") {
+            const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
+            mesh.add_vertex(x, y, z);  // a weight or a colour may follow
+        } else if (key_word == "f") {
+            corners.clear();
+            while (!text.at_line_end()) corners.push_back(read_corner(text, mesh.n_vertices(), largest));
+            if (corners.size() < 3)
+                text.fail(fmt::format("a face needs at least 3 corners, this one has {}", corners.size()));
+            mesh.add_face(corners);
+        }
+    }
+    if (largest.vertex > mesh.n_vertices()) {
+        text.fail_at(largest.line, fmt::format("the face names vertex {}, but the file has only {} vertices",
+                                               largest.vertex, mesh.n_vertices()));
+    }
+    return mesh.finish();
+}
+
+std::string obj_bytes(const TriangleMesh& mesh) {
+    std::string text;
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        text += 'v';
+        for (int k = 0; k < 3; ++k) {
+            text += ' ';
+            append_decimal(text, mesh.vertices(v, k));
+        }
+        text += '\n';
+    }
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        text += 'f';
+        for (int c = 0; c < 3; ++c) {
+            text += ' ';
+            append_decimal(text, mesh.triangles(t, c) + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace counterpart

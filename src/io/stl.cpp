@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// STL, text and binary. It stores three corners per triangle and no connectivity, so corners at one position
+// become one vertex.
+#include "io/formats.hpp"
+#include "io/mesh_collector.hpp"
+#include "io/text_cursor.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/weld.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+constexpr std::size_t header_size = 80, prefix_size = 84, facet_size = 50;
+
+template <class Number>
+Number load_little_endian(const char* bytes) {
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), bytes, raw.size());
+    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+    return std::bit_cast<Number>(raw);
+}
+
+template <class Number>
+void append_little_endian(std::string& bytes, Number value) {
+    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
+    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+}
+
+std::string lower(std::string_view word) {
+    std::string text(word);
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return text;
+}
+
+// Binary files may begin with "solid" too, so the size decides first.
+bool is_binary(std::string_view bytes) {
+    if (bytes.size() >= prefix_size &&
+        bytes.size() ==
+            prefix_size + facet_size * load_little_endian<std::uint32_t>(bytes.data() + header_size))
+        return true;
+    const std::size_t word = bytes.find_first_not_of(" \t\r\n");
+    return word == bytes.npos || lower(bytes.substr(word, 5)) != "solid";
+}
+
+MeshCollector read_binary(std::string_view bytes, const std::string& name) {
+    if (bytes.size() < prefix_size)
+        throw IoError(
+            fmt::format("{}: neither text STL (no 'solid') nor binary STL (shorter than 84 bytes)", name));
+    const auto n_facets = load_little_endian<std::uint32_t>(bytes.data() + header_size);
+    const std::size_t n_stored = (bytes.size() - prefix_size) / facet_size;
+    if (n_facets != n_stored) {
+        throw IoError(
+            fmt::format("{}: the header says {} triangles, the file holds {}: it is damaged or no STL", name,
+                        n_facets, n_stored));
+    }
+    MeshCollector mesh;
+    mesh.reserve(3 * n_stored, n_stored);
+    for (std::size_t f = 0; f < n_stored; ++f) {
+        // Normal (three floats, recomputed by whoever needs it), three corners, two bytes of attributes.
+        const char* corner = bytes.data() + prefix_size + f * facet_size + 12;
+        for (int c = 0; c < 3; ++c, corner += 12) {
+            mesh.add_vertex(load_little_endian<float>(corner), load_little_endian<float>(corner + 4),
+                            load_little_endian<float>(corner + 8));
+        }
+    }
+    return mesh;
+}
+
+MeshCollector read_text(std::string_view bytes, const std::string& name) {
+    TextCursor text(bytes, name);
+    MeshCollector mesh;
+    int n_corners = 0;
+    bool in_solid = false;
+    for (; text.next_content(); text.next_line()) {
+        const std::string word = lower(text.word());
+        if (word == "vertex") {
+            const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
+            mesh.add_vertex(x, y, z);
+            ++n_corners;
+        } else if (word == "endloop") {
+            if (n_corners != 3) text.fail(fmt::format("a facet needs 3 corners, this one has {}", n_corners));
+            n_corners = 0;
+        } else if (word == "solid" || word == "endsolid") {
+            in_solid = word == "solid";
+        } else if (word != "facet" && word != "outer" && word != "endfacet") {
+            text.fail("not a line of a text STL");
+        }
+    }
+    if (in_solid || n_corners != 0) text.fail("the file ends within a solid: 'endsolid' is missing");
+    return mesh;
+}
+
+}  // namespace
+
+MeshFile read_stl(std::string_view bytes, const std::string& name) {
+    MeshCollector collector = is_binary(bytes) ? read_binary(bytes, name) : read_text(bytes, name);
+    const std::int64_t n_corners = collector.n_vertices();
+    if (n_corners > max_count) throw InvalidInput("the mesh has too many triangles");
+    TriangleMesh corners = collector.finish().mesh;
+    corners.triangles.resize(n_corners / 3, 3);
+    for (Index t = 0; t < corners.n_triangles(); ++t) corners.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    MeshFile result;
+    result.mesh = weld(corners).mesh;
+    result.notices.push_back(
+        fmt::format("STL has no connectivity: {} corners joined by position into {} vertices", n_corners,
+                    result.mesh.n_vertices()));
+    return result;
+}
+
+std::string stl_bytes(const TriangleMesh& mesh) {
+    std::string bytes = "binary STL";
+    bytes.resize(header_size, ' ');
+    bytes.reserve(prefix_size + static_cast<std::size_t>(mesh.n_triangles()) * facet_size);
+    append_little_endian(bytes, static_cast<std::uint32_t>(mesh.n_triangles()));
+    const Points normals = triangle_normals(mesh);
+    const auto append_point = [&](const Eigen::RowVector3d& p) {
+        for (int k = 0; k < 3; ++k) append_little_endian(bytes, static_cast<float>(p[k]));
+    };
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        append_point(normals.row(t));
+        for (int c = 0; c < 3; ++c) append_point(mesh.vertices.row(mesh.triangles(t, c)));
+        bytes.append(2, '\0');
+    }
+    return bytes;
+}
+
+}  // namespace counterpart
