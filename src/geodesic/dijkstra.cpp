@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "geodesic/dijkstra.hpp"
+
+#include <algorithm>
+
+namespace counterpart {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr auto farther = [](const auto& a, const auto& b) { return a.distance > b.distance; };
+
+}  // namespace
+
+Dijkstra::Dijkstra(const DistanceGraph& graph)
+    : graph_(graph),
+      distance_(static_cast<std::size_t>(graph.n_vertices()), infinity),
+      buckets_(graph.n_buckets_) {}
+
+void Dijkstra::search(std::span<const Index> sources, const Limits& limits) {
+    forget();
+    grow(sources, limits);
+}
+
+void Dijkstra::add_source(Index source) {
+    visits_are_all_ = visits_are_all_ && visited_ranks_.empty();
+    visited_ranks_.clear();
+    grow({&source, 1}, {});
+}
+
+void Dijkstra::forget() {
+    if (visits_are_all_) {
+        for (const std::size_t rank : visited_ranks_) distance_[rank] = infinity;
+    } else {
+        std::fill(distance_.begin(), distance_.end(), infinity);
+    }
+    visited_ranks_.clear();
+    visits_are_all_ = true;
+}
+
+void Dijkstra::grow(std::span<const Index> sources, const Limits& limits) {
+    current_ = 0;
+    for (const Index source : sources)
+        if (distance_[rank_of(source)] > 0) lower(rank_of(source), 0);
+    std::vector<Index> open_targets(limits.targets.begin(), limits.targets.end());
+    for (; n_queued_ > 0; ++current_) {
+        settle_current_bucket(limits.radius);
+        // Where the search did not get yet, the distance is infinite or lies in a later bucket.
+        while (!open_targets.empty()) {
+            const double reached = distance(open_targets.back());
+            if (reached == infinity || bucket_of(reached) > current_) break;
+            open_targets.pop_back();
+        }
+        if (!limits.targets.empty() && open_targets.empty()) break;
+    }
+    drop_queue();
+}
+
+void Dijkstra::lower(std::size_t rank, double distance) {
+    distance_[rank] = distance;
+    const std::uint64_t number = bucket_of(distance);
+    std::vector<Entry>& entries = bucket(number);
+    entries.push_back({distance, rank});
+    if (graph_.ordered_buckets_ && number == current_)
+        std::push_heap(entries.begin(), entries.end(), farther);
+    ++n_queued_;
+}
+
+void Dijkstra::settle_current_bucket(double radius) {
+    std::vector<Entry>& entries = bucket(current_);
+    if (graph_.ordered_buckets_) {
+        std::make_heap(entries.begin(), entries.end(), farther);
+        while (!entries.empty()) {
+            std::pop_heap(entries.begin(), entries.end(), farther);
+            const Entry nearest = entries.back();
+            entries.pop_back();
+            --n_queued_;
+            expand(nearest, radius);
+        }
+        return;
+    }
+    for (std::size_t i = 0; i < entries.size(); ++i) expand(Entry(entries[i]), radius);  // may append
+    n_queued_ -= entries.size();
+    entries.clear();
+}
+
+void Dijkstra::expand(const Entry& entry, double radius) {
+    if (entry.distance > distance_[entry.rank]) return;  // reached over a shorter path since
+    visited_ranks_.push_back(entry.rank);
+    const auto end = static_cast<std::size_t>(graph_.first_[entry.rank + 1]);
+    for (auto i = static_cast<std::size_t>(graph_.first_[entry.rank]); i < end; ++i) {
+        const double through = entry.distance + graph_.length_[i];
+        const auto to = static_cast<std::size_t>(graph_.to_[i]);
+        if (through < distance_[to] && through <= radius) lower(to, through);
+    }
+}
+
+// After an early stop: what is still queued was reached, but perhaps not over the shortest path.
+void Dijkstra::drop_queue() {
+    for (; n_queued_ > 0; ++current_) {
+        std::vector<Entry>& entries = bucket(current_);
+        for (const Entry& entry : entries)
+            if (entry.distance == distance_[entry.rank]) distance_[entry.rank] = infinity;
+        n_queued_ -= entries.size();
+        entries.clear();
+    }
+}
+
+std::vector<Index> Dijkstra::visited() const {
+    std::vector<Index> vertices;
+    vertices.reserve(visited_ranks_.size());
+    for (const std::size_t rank : visited_ranks_) vertices.push_back(graph_.vertex_of_rank_[rank]);
+    return vertices;
+}
+
+}  // namespace counterpart
