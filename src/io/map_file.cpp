@@ -1,49 +1,71 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/decimal.hpp"
+#include "io/text_cursor.hpp"
+#include "io/whole_file.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/atomic_file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/npy.hpp>
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
 namespace counterpart {
+namespace {
+
+bool is_npy(const std::filesystem::path& file) { return file.extension() == ".npy"; }
+
+// From the number in a file to the image; `refuse` is called with the reason if it is none.
+template <class Refuse>
+Index image_of(std::int64_t number, IndexBase base, const Refuse& refuse) {
+    if (number == VertexMap::unmatched) return VertexMap::unmatched;
+    const auto first = static_cast<std::int64_t>(base);
+    if (number < first || number - first >= std::numeric_limits<Index>::max())
+        refuse(fmt::format("vertex {} is out of range; vertices count from {}, -1 means unmatched", number,
+                           first));
+    return static_cast<Index>(number - first);
+}
+
+}  // namespace
 
 VertexMap read_vertex_map(const std::filesystem::path& file, IndexBase base) {
-    std::ifstream stream(file);
-    if (!stream) throw IoError(fmt::format("{}: cannot be opened", file.string()));
     VertexMap map;
-    std::string line;
-    for (int number = 1; std::getline(stream, line); ++number) {
-        const std::string text = line.substr(0, line.find('#'));
-        const std::size_t begin = text.find_first_not_of(" \t\r");
-        if (begin == std::string::npos) continue;
-        Index value = 0;
-        const char* end = text.data() + text.find_last_not_of(" \t\r") + 1;
-        const auto [stop, error] = std::from_chars(text.data() + begin, end, value);
-        if (error != std::errc() || stop != end) {
-            throw IoError(
-                fmt::format("{}:{}: expected one whole number, found '{}'", file.string(), number, line));
+    if (is_npy(file)) {
+        map.image = read_npy_indices(file);
+        for (std::size_t v = 0; v < map.image.size(); ++v) {
+            map.image[v] = image_of(map.image[v], base, [&](const std::string& reason) {
+                throw IoError(fmt::format("{}: entry {}: {}", file.string(), v, reason));
+            });
         }
-        if (value != VertexMap::unmatched) value -= static_cast<Index>(base);
-        if (value < VertexMap::unmatched)
-            throw IoError(fmt::format("{}:{}: vertex {} is out of range", file.string(), number, value));
-        map.image.push_back(value);
-        map.target_size = std::max(map.target_size, value + 1);
+    } else {
+        const std::string bytes = read_whole_file(file);
+        TextCursor text(bytes, file.string());
+        while (text.next_content()) {
+            const std::int64_t number = text.integer("target vertex");
+            map.image.push_back(
+                image_of(number, base, [&](const std::string& reason) { text.fail(reason); }));
+            if (!text.at_line_end()) text.fail("expected one whole number, found more");
+        }
     }
+    for (const Index image : map.image) map.target_size = std::max(map.target_size, image + 1);
     return map;
 }
 
 void write_vertex_map(const VertexMap& map, const std::filesystem::path& file, IndexBase base) {
+    std::vector<Index> numbers = map.image;
+    for (Index& number : numbers)
+        if (number != VertexMap::unmatched) number += static_cast<Index>(base);
+    if (is_npy(file)) return write_npy(numbers, file);
     std::string text;
-    for (const Index image : map.image)
-        fmt::format_to(std::back_inserter(text), "{}\n",
-                       image == VertexMap::unmatched ? image : image + static_cast<Index>(base));
+    for (const Index number : numbers) {
+        append_decimal(text, number);
+        text += '\n';
+    }
     write_file(text, file);
 }
 

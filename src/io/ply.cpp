@@ -3,6 +3,7 @@
 //
 // PLY (Turk 1994), text and binary: coordinates from the element `vertex`, corners from the element `face`;
 // other elements and properties are passed over.
+#include "io/byte_order.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/ply_header.hpp"
@@ -10,8 +11,8 @@
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -47,8 +48,8 @@ class TextValues {
 // The values of a binary body.
 class BinaryValues {
   public:
-    BinaryValues(std::string_view bytes, bool swapped, std::string name)
-        : at_(bytes.data()), end_(at_ + bytes.size()), swapped_(swapped), name_(std::move(name)) {}
+    BinaryValues(std::string_view bytes, std::endian order, std::string name)
+        : at_(bytes.data()), end_(at_ + bytes.size()), order_(order), name_(std::move(name)) {}
 
     void begin(const PlyElement& element, std::int64_t i) {
         element_ = &element;
@@ -73,10 +74,7 @@ class BinaryValues {
     }
     template <class Number>
     Number load() {
-        std::array<char, sizeof(Number)> bytes;
-        std::memcpy(bytes.data(), take(bytes.size()), bytes.size());
-        if (swapped_) std::reverse(bytes.begin(), bytes.end());
-        return std::bit_cast<Number>(bytes);
+        return load_number<Number>(take(sizeof(Number)), order_);
     }
     template <class Number>
     Number value(PlyType type) {
@@ -103,7 +101,7 @@ class BinaryValues {
 
     const char* at_;
     const char* end_;
-    bool swapped_;
+    std::endian order_;
     std::string name_;
     const PlyElement* element_ = nullptr;
     std::int64_t i_ = 0;
@@ -244,13 +242,6 @@ std::int64_t check_elements(const PlyHeader& header, const std::string& name) {
     return vertex->count;
 }
 
-template <class Number>
-void append_binary(std::string& bytes, Number value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
-}
-
 }  // namespace
 
 MeshFile read_ply(std::string_view bytes, const std::string& name) {
@@ -259,9 +250,9 @@ MeshFile read_ply(std::string_view bytes, const std::string& name) {
     const std::int64_t n_vertices = check_elements(header, name);
     if (header.format == PlyHeader::Format::ascii)
         return read_body(TextValues(text), header, n_vertices, name);
-    const bool little = header.format == PlyHeader::Format::little_endian;
-    const bool swapped = little != (std::endian::native == std::endian::little);
-    return read_body(BinaryValues(bytes.substr(bytes.size() - text.remaining()), swapped, name), header,
+    const auto order =
+        header.format == PlyHeader::Format::little_endian ? std::endian::little : std::endian::big;
+    return read_body(BinaryValues(bytes.substr(bytes.size() - text.remaining()), order, name), header,
                      n_vertices, name);
 }
 
@@ -273,10 +264,10 @@ std::string ply_bytes(const TriangleMesh& mesh) {
     bytes.reserve(bytes.size() + static_cast<std::size_t>(mesh.n_vertices()) * 24 +
                   static_cast<std::size_t>(mesh.n_triangles()) * 13);
     for (Index v = 0; v < mesh.n_vertices(); ++v)
-        for (int k = 0; k < 3; ++k) append_binary(bytes, mesh.vertices(v, k));
+        for (int k = 0; k < 3; ++k) append_number(bytes, mesh.vertices(v, k));
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        append_binary(bytes, std::uint8_t{3});
-        for (int c = 0; c < 3; ++c) append_binary(bytes, mesh.triangles(t, c));
+        append_number(bytes, std::uint8_t{3});
+        for (int c = 0; c < 3; ++c) append_number(bytes, mesh.triangles(t, c));
     }
     return bytes;
 }

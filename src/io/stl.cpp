@@ -3,6 +3,7 @@
 //
 // STL, text and binary. It stores three corners per triangle and no connectivity, so corners at one position
 // become one vertex.
+#include "io/byte_order.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/text_cursor.hpp"
@@ -12,10 +13,6 @@
 #include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstring>
 
 #include <fmt/format.h>
 
@@ -23,21 +20,6 @@ namespace counterpart {
 namespace {
 
 constexpr std::size_t header_size = 80, prefix_size = 84, facet_size = 50;
-
-template <class Number>
-Number load_little_endian(const char* bytes) {
-    std::array<char, sizeof(Number)> raw;
-    std::memcpy(raw.data(), bytes, raw.size());
-    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<Number>(raw);
-}
-
-template <class Number>
-void append_little_endian(std::string& bytes, Number value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(value);
-    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
-}
 
 std::string lower(std::string_view word) {
     std::string text(word);
@@ -49,8 +31,7 @@ std::string lower(std::string_view word) {
 // Binary files may begin with "solid" too, so the size decides first.
 bool is_binary(std::string_view bytes) {
     if (bytes.size() >= prefix_size &&
-        bytes.size() ==
-            prefix_size + facet_size * load_little_endian<std::uint32_t>(bytes.data() + header_size))
+        bytes.size() == prefix_size + facet_size * load_number<std::uint32_t>(bytes.data() + header_size))
         return true;
     const std::size_t word = bytes.find_first_not_of(" \t\r\n");
     return word == bytes.npos || lower(bytes.substr(word, 5)) != "solid";
@@ -60,7 +41,7 @@ MeshCollector read_binary(std::string_view bytes, const std::string& name) {
     if (bytes.size() < prefix_size)
         throw IoError(
             fmt::format("{}: neither text STL (no 'solid') nor binary STL (shorter than 84 bytes)", name));
-    const auto n_facets = load_little_endian<std::uint32_t>(bytes.data() + header_size);
+    const auto n_facets = load_number<std::uint32_t>(bytes.data() + header_size);
     const std::size_t n_stored = (bytes.size() - prefix_size) / facet_size;
     if (n_facets != n_stored) {
         throw IoError(
@@ -73,8 +54,8 @@ MeshCollector read_binary(std::string_view bytes, const std::string& name) {
         // Normal (three floats, recomputed by whoever needs it), three corners, two bytes of attributes.
         const char* corner = bytes.data() + prefix_size + f * facet_size + 12;
         for (int c = 0; c < 3; ++c, corner += 12) {
-            mesh.add_vertex(load_little_endian<float>(corner), load_little_endian<float>(corner + 4),
-                            load_little_endian<float>(corner + 8));
+            mesh.add_vertex(load_number<float>(corner), load_number<float>(corner + 4),
+                            load_number<float>(corner + 8));
         }
     }
     return mesh;
@@ -125,10 +106,10 @@ std::string stl_bytes(const TriangleMesh& mesh) {
     std::string bytes = "binary STL";
     bytes.resize(header_size, ' ');
     bytes.reserve(prefix_size + static_cast<std::size_t>(mesh.n_triangles()) * facet_size);
-    append_little_endian(bytes, static_cast<std::uint32_t>(mesh.n_triangles()));
+    append_number(bytes, static_cast<std::uint32_t>(mesh.n_triangles()));
     const Points normals = triangle_normals(mesh);
     const auto append_point = [&](const Eigen::RowVector3d& p) {
-        for (int k = 0; k < 3; ++k) append_little_endian(bytes, static_cast<float>(p[k]));
+        for (int k = 0; k < 3; ++k) append_number(bytes, static_cast<float>(p[k]));
     };
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         append_point(normals.row(t));

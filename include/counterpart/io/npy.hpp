@@ -1,16 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+//
+// NumPy's array files (numpy.lib.format, versions 1 to 3): numpy.save writes them, numpy.load reads them.
 #pragma once
 
 #include <counterpart/base/types.hpp>
 
 #include <filesystem>
+#include <span>
+#include <vector>
 
 namespace counterpart {
 
-/// Writes a matrix as NumPy `.npy` (float64, C order). The file appears whole or not at all. Throws IoError.
+/// Writes a matrix as `.npy` (float64, C order). The file appears whole or not at all. Throws IoError.
 void write_npy(const Matrix& matrix, const std::filesystem::path& file);
-/// Reads a one- or two-dimensional `.npy` of float32, float64, int32 or int64; a vector becomes one column.
+/// Reads a one- or two-dimensional `.npy` of float32, float64, int32 or int64, in either byte order and
+/// either memory order; a vector becomes one column. Throws IoError naming the file and the reason.
 Matrix read_npy(const std::filesystem::path& file);
+
+/// Writes a vector of whole numbers as `.npy` (int32).
+void write_npy(std::span<const Index> numbers, const std::filesystem::path& file);
+/// Reads a one-dimensional `.npy` of int32 or int64. Throws IoError also for numbers that Index cannot hold.
+std::vector<Index> read_npy_indices(const std::filesystem::path& file);
 
 }  // namespace counterpart
