@@ -12,6 +12,9 @@ int main(int argc, char** argv) {
     CLI::App program{"Which point of mesh B is this point of mesh A?", "counterpart"};
     program.set_version_flag("--version", COUNTERPART_VERSION);
     program.require_subcommand(1);
+    counterpart::cli::add_convert(program);
+    counterpart::cli::add_deform(program);
+    counterpart::cli::add_inspect(program);
     counterpart::cli::add_match(program);
     try {
         program.parse(argc, argv);

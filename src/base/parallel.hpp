@@ -7,11 +7,13 @@
 
 #include <counterpart/base/errors.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -23,7 +25,9 @@ template <class Work>
 auto with_threads(int n_threads, const Work& work) {
     if (n_threads < 0)
         throw InvalidInput("the number of threads must be 0 (all) or more, not " + std::to_string(n_threads));
-    tbb::task_arena arena(n_threads == 0 ? tbb::task_arena::automatic : n_threads);
+    // More threads than the machine has gain nothing, and TBB prints a warning when asked for them.
+    const int available = tbb::info::default_concurrency();
+    tbb::task_arena arena(n_threads == 0 ? available : std::min(n_threads, available));
     return arena.execute(work);
 }
 

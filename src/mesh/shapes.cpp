@@ -2,44 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/subdivide.hpp>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
-#include <unordered_map>
-
-#include <Eigen/Geometry>
 
 namespace counterpart {
-namespace {
-
-// Every triangle into four, new vertices on the unit sphere.
-TriangleMesh subdivided_sphere(const TriangleMesh& mesh) {
-    const Index n_edges = mesh.n_triangles() * 3 / 2;
-    TriangleMesh fine{Points(mesh.n_vertices() + n_edges, 3), Triangles(mesh.n_triangles() * 4, 3)};
-    fine.vertices.topRows(mesh.n_vertices()) = mesh.vertices;
-    Index next = mesh.n_vertices();
-    std::unordered_map<std::uint64_t, Index> middles;
-    const auto middle = [&](Index a, Index b) {
-        const auto key =
-            (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
-        const auto [entry, is_new] = middles.try_emplace(key, next);
-        if (is_new) fine.vertices.row(next++) = (mesh.vertices.row(a) + mesh.vertices.row(b)).normalized();
-        return entry->second;
-    };
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
-        const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-        fine.triangles.row(4 * t + 0) << a, ab, ca;
-        fine.triangles.row(4 * t + 1) << b, bc, ab;
-        fine.triangles.row(4 * t + 2) << c, ca, bc;
-        fine.triangles.row(4 * t + 3) << ab, bc, ca;
-    }
-    return fine;
-}
-
-}  // namespace
 
 TriangleMesh make_icosphere(int subdivisions) {
     if (subdivisions < 0 || subdivisions > 10)
@@ -51,7 +19,10 @@ TriangleMesh make_icosphere(int subdivisions) {
     mesh.vertices.rowwise().normalize();
     mesh.triangles << 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6,
         7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1;
-    for (int i = 0; i < subdivisions; ++i) mesh = subdivided_sphere(mesh);
+    for (int i = 0; i < subdivisions; ++i) {
+        mesh = subdivide(mesh);
+        mesh.vertices.rowwise().normalize();
+    }
     return mesh;
 }
 

@@ -18,4 +18,13 @@ TriangleMesh make_torus(int rings, int segments);
 /// least 1.
 TriangleMesh make_grid(int columns, int rows);
 
+struct BodyOptions {
+    int subdivisions = 2;    ///< 0 .. 7; the vertices are 4 times as many with each: about 4500 with 2
+    bool symmetric = false;  ///< both arms alike: one mirror symmetry (x -> -x), of the connectivity too
+};
+
+/// A figure with head, arms, legs and a tail, closed, of genus 0, about 1 high (y), facing +z. Unless
+/// `symmetric`, its connectivity has no symmetry, so that a copy of it can be matched in one way only.
+TriangleMesh make_body(const BodyOptions& options = {});
+
 }  // namespace counterpart

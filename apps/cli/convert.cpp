@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <counterpart/mesh/weld.hpp>
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct ConvertCommand {
+    CommonOptions common;
+    std::filesystem::path input, output;
+    double weld_distance = -1;
+};
+
+void run(const ConvertCommand& command) {
+    TriangleMesh mesh = load_mesh(command.input, command.common);
+    if (command.weld_distance >= 0) {
+        const Index before = mesh.n_vertices();
+        mesh = weld(mesh, {.distance = command.weld_distance}).mesh;
+        say(command.common, fmt::format("welded {} vertices into {}", before, mesh.n_vertices()));
+    }
+    write_mesh(mesh, command.output);
+    say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
+                                    command.output.string()));
+    write_report({{"command", "convert"},
+                  {"input", command.input.string()},
+                  {"output", command.output.string()},
+                  {"vertices", mesh.n_vertices()},
+                  {"triangles", mesh.n_triangles()}},
+                 command.common);
+}
+
+}  // namespace
+
+void add_convert(CLI::App& program) {
+    auto command = std::make_shared<ConvertCommand>();
+    CLI::App* convert =
+        program.add_subcommand("convert", "Write a mesh in another format, vertices in the same order");
+    convert->add_option("IN", command->input, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    convert->add_option("OUT", command->output, "Mesh file; the ending tells the format")->required();
+    convert
+        ->add_option(
+            "--weld", command->weld_distance,
+            "Join vertices at most this far apart, in mesh units; 0 = at the same position. Off by default")
+        ->check(CLI::NonNegativeNumber);
+    add_common_options(*convert, command->common);
+    convert->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/map_file.hpp>
+#include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <memory>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct DeformCommand {
+    CommonOptions common;
+    std::filesystem::path input, output, truth;
+    double bend_degrees = 0, twist_degrees = 0;
+    DeformOptions options;
+    std::uint64_t shuffle_seed = 0;  // 0 = do not
+    bool move = false;
+};
+
+void run(const DeformCommand& command) {
+    if (!command.truth.empty() && command.shuffle_seed == 0)
+        throw InvalidInput("--truth goes with --shuffle: without it, vertex i is vertex i");
+    TriangleMesh mesh =
+        command.input == "body" ? make_body({.subdivisions = 3}) : load_mesh(command.input, command.common);
+    DeformOptions options = command.options;
+    options.bend = command.bend_degrees * std::numbers::pi / 180;
+    options.twist = command.twist_degrees * std::numbers::pi / 180;
+    mesh = deform(mesh, options);
+    if (command.move) mesh = move_at_random(mesh, options.seed);
+    if (command.shuffle_seed != 0) {
+        ShuffleResult shuffled = shuffle(mesh, command.shuffle_seed);
+        mesh = std::move(shuffled.mesh);
+        if (!command.truth.empty())
+            write_vertex_map({std::move(shuffled.shuffled_from_original), mesh.n_vertices()}, command.truth);
+    }
+    write_mesh(mesh, command.output);
+    say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
+                                    command.output.string()));
+    write_report({{"command", "deform"},
+                  {"input", command.input.string()},
+                  {"output", command.output.string()},
+                  {"vertices", mesh.n_vertices()},
+                  {"triangles", mesh.n_triangles()},
+                  {"bend_degrees", command.bend_degrees},
+                  {"twist_degrees", command.twist_degrees},
+                  {"warp", options.warp},
+                  {"seed", options.seed},
+                  {"moved", command.move},
+                  {"shuffle_seed", command.shuffle_seed}},
+                 command.common);
+}
+
+}  // namespace
+
+void add_deform(CLI::App& program) {
+    auto command = std::make_shared<DeformCommand>();
+    CLI::App* deform = program.add_subcommand("deform", "Bring a mesh into another pose, to try methods on");
+    deform
+        ->add_option("IN", command->input, "Mesh file, or the word body for a figure that the program makes")
+        ->required();
+    deform->add_option("OUT", command->output, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    deform
+        ->add_option(
+            "--bend", command->bend_degrees,
+            "Degrees by which the ends of the longest direction are bent towards each other; -360 to 360")
+        ->check(CLI::Range(-360.0, 360.0))
+        ->capture_default_str();
+    deform
+        ->add_option("--twist", command->twist_degrees,
+                     "Degrees by which one end is turned against the other; -360 to 360")
+        ->check(CLI::Range(-360.0, 360.0))
+        ->capture_default_str();
+    deform
+        ->add_option("--warp", command->options.warp,
+                     "Size of a smooth random displacement, as a fraction of the length; 0 to 0.5")
+        ->check(CLI::Range(0.0, 0.5))
+        ->capture_default_str();
+    deform->add_option("--seed", command->options.seed, "Of --warp and --move; 0 or more")
+        ->capture_default_str();
+    deform->add_flag("--move", command->move, "Rotate at random, scale by 0.5 to 2, and move");
+    deform->add_option(
+        "--shuffle", command->shuffle_seed,
+        "Put vertices and triangles in random order with this seed, 1 or more. Off by default");
+    deform
+        ->add_option("--truth", command->truth,
+                     "Write the true map to this file: line i = new number of vertex i")
+        ->type_name("FILE");
+    add_common_options(*deform, command->common);
+    deform->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

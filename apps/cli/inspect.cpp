@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/mesh/analyze.hpp>
+
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct InspectCommand {
+    CommonOptions common;
+    std::filesystem::path mesh;
+    std::size_t n_components = 5;
+};
+
+std::string describe(const ComponentReport& piece) {
+    std::string text = fmt::format("{} vertices, {} triangles", piece.n_vertices, piece.n_triangles);
+    if (piece.n_boundary_loops == 0) {
+        text += ", closed";
+    } else {
+        text += fmt::format(", {} boundary loop{}", piece.n_boundary_loops,
+                            piece.n_boundary_loops == 1 ? "" : "s");
+    }
+    if (!piece.is_manifold) {
+        text += ", not manifold";
+    } else if (!piece.is_orientable) {
+        text += ", one-sided";
+    }
+    if (const auto genus = piece.genus()) return text + fmt::format(", genus {}", *genus);
+    return text + fmt::format(", Euler characteristic {}", piece.euler_characteristic());
+}
+
+std::string point(const Eigen::RowVector3d& p) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
+}
+
+// What is wrong or unusual comes last, one line each, and only if there is any.
+std::string describe(const MeshReport& report, std::size_t n_components) {
+    std::string text = fmt::format("vertices    {}\nedges       {}\ntriangles   {}\narea        {:.6g}\n",
+                                   report.n_vertices, report.n_edges, report.n_triangles, report.area);
+    text += fmt::format("mean edge   {:.6g}\nbox         {} to {}\n", report.mean_edge_length,
+                        point(report.box_min), point(report.box_max));
+    text += fmt::format("components  {}\n", report.components.size());
+    for (std::size_t i = 0; i < std::min(n_components, report.components.size()); ++i)
+        text += fmt::format("  {}: {}\n", i, describe(report.components[i]));
+    if (report.components.size() > n_components)
+        text += fmt::format("  ... and {} more\n", report.components.size() - n_components);
+
+    const auto remark = [&](Index count, const char* what) {
+        if (count > 0) text += fmt::format("{:<11} {}\n", count, what);
+    };
+    remark(report.n_boundary_edges, "boundary edges");
+    remark(report.n_nonmanifold_edges, "non-manifold edges (three or more triangles)");
+    remark(report.n_nonmanifold_vertices, "non-manifold vertices (where fans of triangles only touch)");
+    remark(report.n_isolated_vertices, "isolated vertices (in no triangle)");
+    remark(report.n_duplicate_vertices, "vertices at the position of another");
+    remark(report.n_degenerate_triangles, "degenerate triangles (a vertex twice)");
+    remark(report.n_zero_area_triangles, "triangles without area");
+    remark(report.n_duplicate_triangles, "duplicate triangles");
+    if (!report.is_consistently_oriented)
+        text += "neighbouring triangles are not oriented alike everywhere\n";
+    return text;
+}
+
+Json mesh_json(const MeshReport& report) {
+    Json components = Json::array();
+    for (const ComponentReport& piece : report.components) {
+        const auto genus = piece.genus();
+        components.push_back({{"vertices", piece.n_vertices},
+                              {"edges", piece.n_edges},
+                              {"triangles", piece.n_triangles},
+                              {"boundary_loops", piece.n_boundary_loops},
+                              {"manifold", piece.is_manifold},
+                              {"orientable", piece.is_orientable},
+                              {"euler_characteristic", piece.euler_characteristic()},
+                              {"genus", genus ? Json(*genus) : Json(nullptr)}});
+    }
+    const auto list = [](const Eigen::RowVector3d& p) { return Json{p[0], p[1], p[2]}; };
+    return {{"vertices", report.n_vertices},
+            {"edges", report.n_edges},
+            {"triangles", report.n_triangles},
+            {"area", report.area},
+            {"mean_edge_length", report.mean_edge_length},
+            {"box_min", list(report.box_min)},
+            {"box_max", list(report.box_max)},
+            {"closed", report.is_closed()},
+            {"manifold", report.is_manifold()},
+            {"consistently_oriented", report.is_consistently_oriented},
+            {"boundary_edges", report.n_boundary_edges},
+            {"boundary_loops", report.n_boundary_loops},
+            {"nonmanifold_edges", report.n_nonmanifold_edges},
+            {"nonmanifold_vertices", report.n_nonmanifold_vertices},
+            {"isolated_vertices", report.n_isolated_vertices},
+            {"duplicate_vertices", report.n_duplicate_vertices},
+            {"degenerate_triangles", report.n_degenerate_triangles},
+            {"zero_area_triangles", report.n_zero_area_triangles},
+            {"duplicate_triangles", report.n_duplicate_triangles},
+            {"components", components}};
+}
+
+void run(const InspectCommand& command) {
+    Stopwatch watch;
+    const TriangleMesh mesh = load_mesh(command.mesh, command.common);
+    watch.lap("read");
+    const MeshReport report = analyze(mesh);
+    watch.lap("analyze");
+    Json json = {{"command", "inspect"}, {"mesh", command.mesh.string()}};
+    json.update(mesh_json(report));
+    json["seconds"] = to_json(watch.stages());
+    write_report(json, command.common);
+    std::fputs(describe(report, command.n_components).c_str(), stdout);
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program) {
+    auto command = std::make_shared<InspectCommand>();
+    CLI::App* inspect =
+        program.add_subcommand("inspect", "Say what a mesh is made of and what is unusual about it");
+    inspect->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    inspect->add_option("--components", command->n_components, "Number of components to describe; 0 or more")
+        ->capture_default_str();
+    add_common_options(*inspect, command->common);
+    inspect->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

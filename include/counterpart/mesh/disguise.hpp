@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Ways to make another mesh from a mesh so that the true map is known.
+#pragma once
+
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpart {
+
+struct ShuffleResult {
+    TriangleMesh mesh;
+    std::vector<Index> shuffled_from_original;  ///< the true map: new number of each old vertex
+};
+
+/// The same surface with its vertices, its triangles and the corner each triangle starts at in random order;
+/// winding kept. O(V + F).
+ShuffleResult shuffle(const TriangleMesh& mesh, std::uint64_t seed);
+
+/// Rotated at random, scaled by a factor in [0.5, 2], moved by up to three units of the mesh along each axis.
+/// No reflection. O(V).
+TriangleMesh move_at_random(const TriangleMesh& mesh, std::uint64_t seed);
+
+}  // namespace counterpart

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/base/types.hpp>
+
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace counterpart {
+
+/// Union-find with path halving; the root of a set is its smallest member. Members may carry a parity
+/// relative to their root, to tell whether a set can be two-coloured.
+class DisjointSets {
+  public:
+    explicit DisjointSets(Index count)
+        : parent_(static_cast<std::size_t>(count)), odd_(static_cast<std::size_t>(count), 0) {
+        std::iota(parent_.begin(), parent_.end(), 0);
+    }
+
+    Index root(Index x) {
+        for (; parent(x) != x; x = parent(x)) {  // each member on the way is hung one higher
+            const Index up = parent(x);
+            odd(x) = static_cast<char>(odd(x) ^ odd(up));
+            parent(x) = parent(up);
+        }
+        return x;
+    }
+
+    /// Joins two sets such that a and b have different colours if `differ`. False if they are in one set
+    /// already with colours that contradict.
+    bool join(Index a, Index b, bool differ = false) {
+        const Index ra = root(a), rb = root(b);
+        const bool parity = (parity_to_root(a) ^ parity_to_root(b) ^ differ) != 0;
+        if (ra == rb) return !parity;
+        const Index low = ra < rb ? ra : rb, high = ra < rb ? rb : ra;
+        parent(high) = low;
+        odd(high) = static_cast<char>(parity);
+        return true;
+    }
+
+  private:
+    Index& parent(Index x) { return parent_[static_cast<std::size_t>(x)]; }
+    char& odd(Index x) { return odd_[static_cast<std::size_t>(x)]; }
+    bool parity_to_root(Index x) {
+        bool parity = false;
+        for (; parent(x) != x; x = parent(x)) parity ^= odd(x) != 0;
+        return parity;
+    }
+
+    std::vector<Index> parent_;
+    std::vector<char> odd_;  // colour differs from the parent's; 0 for roots
+};
+
+}  // namespace counterpart

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/expect_error.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+TEST(TriangleMesh, RequireValidNamesTheFirstBadElement) {
+    const auto refused = [](const TriangleMesh& mesh, const std::string& part) {
+        test::expect_error<InvalidInput>([&] { require_valid(mesh); }, part);
+    };
+    refused({}, "no vertices");
+    refused({Points::Zero(3, 3), {}}, "no faces");
+    TriangleMesh mesh = make_icosphere(0);
+    EXPECT_NO_THROW(require_valid(mesh));
+    mesh.triangles(7, 2) = 12;
+    refused(mesh, "triangle 7 names vertex 12, but vertices run from 0 to 11");
+    mesh.triangles(7, 2) = -1;
+    refused(mesh, "triangle 7 names vertex -1");
+    mesh.vertices(4, 1) = std::numeric_limits<double>::infinity();
+    refused(mesh, "vertex 4 has a coordinate that is not finite");
+}
+
+}  // namespace
+}  // namespace counterpart
