@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
+#include <counterpart/evaluation/map_quality.hpp>
+#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/map_file.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct EvaluateCommand {
+    CommonOptions common;
+    std::filesystem::path source, target, map, truth, source_truth, target_truth, curve;
+    int index_base = 0;
+    Index samples = 0;
+    bool plain_edges = false;
+    EvaluationOptions options;
+};
+
+std::optional<GroundTruth> read_truth(const EvaluateCommand& command) {
+    const auto read = [&](const std::filesystem::path& file) {
+        return read_vertex_map(file, static_cast<IndexBase>(command.index_base));
+    };
+    GroundTruth truth;
+    if (!command.truth.empty()) {
+        truth = truth_from_map(read(command.truth));
+    } else if (!command.source_truth.empty()) {
+        truth = truth_from_template(read(command.source_truth), read(command.target_truth));
+    } else {
+        return std::nullopt;
+    }
+    return command.samples > 0 ? sampled(truth, command.samples) : truth;
+}
+
+double percent(Index part, Index whole) { return whole > 0 ? 100.0 * part / whole : 0; }
+
+// Share of the matched pairs with an error up to the threshold, in percent.
+double within(const EvaluationReport& report, double threshold) {
+    double share = 0;
+    for (std::size_t i = 0; i < report.thresholds.size() && report.thresholds[i] <= threshold; ++i)
+        share = report.fraction_within[i];
+    return 100 * share;
+}
+
+std::string describe(const MapQuality& quality, const TriangleMesh& source, const TriangleMesh& target) {
+    return fmt::format(
+        "map         {} of {} source vertices matched, to {} different of {} target vertices ({:.1f} %)\n"
+        "edges       {:.2f} % of the source's edges are edges of the target again, {:.2f} % shrink to a "
+        "point\n",
+        quality.n_matched, source.n_vertices(), quality.n_distinct, target.n_vertices(),
+        100 * quality.coverage, 100 * quality.preserved_edges, 100 * quality.collapsed_edges);
+}
+
+std::string describe(const EvaluationReport& report) {
+    std::string text =
+        fmt::format("truth       {} pairs: {} ({:.2f} %) exactly right, {} unmatched", report.n_pairs,
+                    report.n_exact, percent(report.n_exact, report.n_pairs), report.n_unmatched);
+    if (report.n_other_component > 0)
+        text += fmt::format(", {} in another component", report.n_other_component);
+    if (report.n_unmatched + report.n_other_component == report.n_pairs)
+        return text + "\nerror       nothing to measure: no matched vertex lies on its true component\n";
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out, "\nerror       mean {:.3f}, median {:.3f}, 95 % below {:.3f}, largest {:.3f}\n",
+                   report.mean_error, report.median_error, report.percentile_95_error, report.max_error);
+    fmt::format_to(out,
+                   "            (geodesic distance to the true vertex x 100 / sqrt of the target's area)\n");
+    fmt::format_to(out, "within      1: {:.2f} %   5: {:.2f} %   10: {:.2f} %   25: {:.2f} %\n",
+                   within(report, 1), within(report, 5), within(report, 10), within(report, 25));
+    fmt::format_to(out, "C           {:.4g} (sum of squared distances), {:.4g} (their mean / area)\n",
+                   report.cost.raw, report.cost.normalized);
+    if (report.base_vertex_cost)
+        fmt::format_to(out, "C by bases  {:.4g}, {:.4g} (the base-vertex heuristic)\n",
+                       report.base_vertex_cost->raw, report.base_vertex_cost->normalized);
+    return text;
+}
+
+Json json_of(const CorrespondenceCost& cost) { return {{"raw", cost.raw}, {"normalized", cost.normalized}}; }
+
+Json json_of(const MapQuality& quality) {
+    return {{"matched", quality.n_matched},
+            {"distinct_images", quality.n_distinct},
+            {"coverage", quality.coverage},
+            {"preserved_edges", quality.preserved_edges},
+            {"collapsed_edges", quality.collapsed_edges}};
+}
+
+Json json_of(const EvaluationReport& report) {
+    Json json = {{"pairs", report.n_pairs},
+                 {"unmatched", report.n_unmatched},
+                 {"other_component", report.n_other_component},
+                 {"exact", report.n_exact},
+                 {"exact_share", static_cast<double>(report.n_exact) / report.n_pairs},
+                 {"mean_error", report.mean_error},
+                 {"median_error", report.median_error},
+                 {"p95_error", report.percentile_95_error},
+                 {"max_error", report.max_error},
+                 {"target_area", report.target_area},
+                 {"cost", json_of(report.cost)}};
+    if (report.base_vertex_cost) json["base_vertex_cost"] = json_of(*report.base_vertex_cost);
+    json["curve"] = {{"error", report.thresholds}, {"fraction_within", report.fraction_within}};
+    return json;
+}
+
+void write_curve(const EvaluationReport& report, const std::filesystem::path& file) {
+    std::string csv = "error,fraction_within\n";
+    for (std::size_t i = 0; i < report.thresholds.size(); ++i)
+        fmt::format_to(std::back_inserter(csv), "{},{}\n", report.thresholds[i], report.fraction_within[i]);
+    write_file(csv, file);
+}
+
+void run(EvaluateCommand& command) {
+    Stopwatch watch;
+    const TriangleMesh source = load_mesh(command.source, command.common);
+    const TriangleMesh target = load_mesh(command.target, command.common);
+    VertexMap map = read_vertex_map(command.map);
+    require_valid(map, source.n_vertices(), target.n_vertices());
+    map.target_size = target.n_vertices();
+    const std::optional<GroundTruth> truth = read_truth(command);
+    watch.lap("read");
+
+    const MapQuality quality = map_quality(map, source, target);
+    std::string text = describe(quality, source, target);
+    Json json = {{"command", "evaluate"},
+                 {"source", command.source.string()},
+                 {"target", command.target.string()},
+                 {"map", command.map.string()},
+                 {"source_vertices", source.n_vertices()},
+                 {"target_vertices", target.n_vertices()},
+                 {"quality", json_of(quality)}};
+    if (truth) {
+        command.options.shortcuts = !command.plain_edges;
+        command.options.n_threads = command.common.threads;
+        command.options.progress = progress_bar("measuring", command.common);
+        const EvaluationReport report = evaluate(map, *truth, source, target, command.options);
+        command.options.progress = {};  // ends the bar
+        text += describe(report);
+        json["distances"] = command.plain_edges ? "plain edges" : "edges and shortcuts";
+        json["errors"] = json_of(report);
+        if (!command.curve.empty()) write_curve(report, command.curve);
+    } else {
+        text += "truth       none given: see --truth\n";
+    }
+    watch.lap("evaluate");
+    json["seconds"] = to_json(watch.stages());
+    std::fputs(text.c_str(), stdout);
+    write_report(json, command.common);
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& program) {
+    auto command = std::make_shared<EvaluateCommand>();
+    CLI::App* evaluate =
+        program.add_subcommand("evaluate", "Score a map from SOURCE to TARGET against the truth");
+    evaluate->add_option("SOURCE", command->source, "Mesh file")->required();
+    evaluate->add_option("TARGET", command->target, "Mesh file")->required();
+    evaluate->add_option("MAP", command->map, "Map file: line i = target vertex of source vertex i, from 0")
+        ->required();
+    auto* truth = evaluate->add_option("--truth", command->truth, "The true map, in a file like MAP")
+                      ->type_name("FILE");
+    auto* source_truth = evaluate
+                             ->add_option("--source-truth", command->source_truth,
+                                          "Line k = source vertex of template point k")
+                             ->type_name("FILE")
+                             ->excludes(truth);
+    auto* target_truth = evaluate
+                             ->add_option("--target-truth", command->target_truth,
+                                          "Line k = target vertex of template point k")
+                             ->type_name("FILE")
+                             ->needs(source_truth);
+    source_truth->needs(target_truth);
+    evaluate->add_option("--index-base", command->index_base, "What the truth files count from")
+        ->check(CLI::IsMember({0, 1}))
+        ->capture_default_str();
+    evaluate
+        ->add_option("--samples", command->samples, "Score at most this many pairs, evenly spread; 0 = all")
+        ->check(CLI::Range(0, 1 << 30))
+        ->capture_default_str();
+    evaluate
+        ->add_option("--base-vertices", command->options.n_base_vertices,
+                     "Also give C by the heuristic with this many base vertices; 0 = leave it out")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+    evaluate->add_flag("--plain-edges", command->plain_edges,
+                       "Measure along edges only, without shortcuts across them (about 15 % longer)");
+    evaluate
+        ->add_option("--curve", command->curve,
+                     "Write the share of vertices within each error to this CSV file")
+        ->type_name("FILE");
+    add_common_options(*evaluate, command->common);
+    evaluate->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

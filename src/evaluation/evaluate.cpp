@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// The errors as in V. Kim, Y. Lipman, T. Funkhouser, "Blended intrinsic maps", SIGGRAPH 2011, section 8; C as
+// in Y. Sahillioglu, Y. Yemez, "3D Correspondence by Breadth-First Search Frontiers", section 5.
+#include <counterpart/base/errors.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
+#include <counterpart/geodesic/base_vertex_distances.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+void require_fitting(const VertexMap& map, const GroundTruth& truth, const TriangleMesh& source,
+                     const TriangleMesh& target) {
+    require_valid(source);
+    require_valid(target);
+    require_valid(map, source.n_vertices(), target.n_vertices());
+    if (truth.pairs.empty()) throw InvalidInput("the truth names no pair of vertices: nothing can be scored");
+    for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
+        const auto [s, t] = truth.pairs[k];
+        if (s < 0 || s >= source.n_vertices() || t < 0 || t >= target.n_vertices()) {
+            throw InvalidInput(
+                fmt::format("pair {} of the truth names source vertex {} and target vertex {}, but they run "
+                            "to {} and {}: is it other meshes' truth, or counted from 1?",
+                            k, s, t, source.n_vertices() - 1, target.n_vertices() - 1));
+        }
+    }
+}
+
+std::vector<double> thresholds_of(const EvaluationOptions& options) {
+    std::vector<double> thresholds = options.thresholds;
+    if (thresholds.empty())
+        for (int i = 0; i <= 100; ++i) thresholds.push_back(0.25 * i);
+    for (std::size_t i = 0; i < thresholds.size(); ++i)
+        if (!(thresholds[i] >= 0) || (i > 0 && !(thresholds[i] > thresholds[i - 1])))
+            throw InvalidInput("the error curve's thresholds must be 0 or more and increase");
+    return thresholds;
+}
+
+// Linear between the order statistics, as NumPy's default.
+double percentile(const std::vector<double>& sorted, double fraction) {
+    if (sorted.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const double place = fraction * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+// Over the finite distances.
+CorrespondenceCost cost_of(const std::vector<double>& distances, double area) {
+    CorrespondenceCost cost;
+    double n = 0;
+    for (const double g : distances) {
+        if (!std::isfinite(g)) continue;
+        cost.raw += g * g;
+        ++n;
+    }
+    cost.normalized = cost.raw / (n * area);
+    return cost;
+}
+
+void summarize_errors(const std::vector<double>& distances, EvaluationReport& report) {
+    const double unit = std::sqrt(report.target_area) / 100;
+    std::vector<double> errors;
+    for (const double distance : distances)
+        if (std::isfinite(distance)) errors.push_back(distance / unit);
+    std::sort(errors.begin(), errors.end());
+    report.n_other_component = static_cast<Index>(distances.size() - errors.size());
+    report.mean_error = 0;
+    for (const double error : errors) report.mean_error += error / static_cast<double>(errors.size());
+    report.median_error = percentile(errors, 0.5);
+    report.percentile_95_error = percentile(errors, 0.95);
+    report.max_error = percentile(errors, 1);
+    if (errors.empty()) report.mean_error = report.max_error;
+    for (const double threshold : report.thresholds) {
+        const auto within = std::upper_bound(errors.begin(), errors.end(), threshold) - errors.begin();
+        report.fraction_within.push_back(static_cast<double>(within) / static_cast<double>(distances.size()));
+    }
+    report.cost = cost_of(distances, report.target_area);
+}
+
+CorrespondenceCost base_vertex_cost(const TriangleMesh& target, const DistanceGraph& graph,
+                                    const Pairs& pairs, double area, const EvaluationOptions& options) {
+    const BaseVertexDistances distance(graph,
+                                       base_vertices(target, graph, {.count = options.n_base_vertices}),
+                                       {.n_threads = options.n_threads});
+    std::vector<double> distances;
+    for (const auto& [a, b] : pairs) distances.push_back(distance(a, b));
+    return cost_of(distances, area);
+}
+
+}  // namespace
+
+EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
+                          const TriangleMesh& source, const TriangleMesh& target,
+                          const EvaluationOptions& options) {
+    require_fitting(target_from_source, truth, source, target);
+    EvaluationReport report;
+    report.thresholds = thresholds_of(options);
+    report.target_area = surface_area(target);
+    if (!(report.target_area > 0))
+        throw InvalidInput("the target's surface has no area: errors relative to it mean nothing");
+
+    report.n_pairs = static_cast<Index>(truth.pairs.size());
+    Pairs matched;  // (true, mapped)
+    std::vector<Index> pair_of_matched;
+    for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
+        const Index mapped = target_from_source[truth.pairs[k].first];
+        if (mapped == VertexMap::unmatched) continue;
+        matched.emplace_back(truth.pairs[k].second, mapped);
+        pair_of_matched.push_back(static_cast<Index>(k));
+        report.n_exact += mapped == truth.pairs[k].second;
+    }
+    report.n_unmatched = report.n_pairs - static_cast<Index>(matched.size());
+
+    const DistanceGraph graph(target, {.shortcuts = options.shortcuts});
+    const Vector found = pair_distances(graph, matched, {options.n_threads, options.progress});
+    report.error = Vector::Constant(report.n_pairs, std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < matched.size(); ++i)
+        report.error[pair_of_matched[i]] = found[static_cast<Eigen::Index>(i)];
+    summarize_errors({found.begin(), found.end()}, report);
+    if (options.n_base_vertices != 0)
+        report.base_vertex_cost = base_vertex_cost(target, graph, matched, report.target_area, options);
+    return report;
+}
+
+}  // namespace counterpart
