@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/spectral/laplacian.hpp>
+
+namespace counterpart {
+
+/// The lowest eigenfunctions of the Laplace-Beltrami operator: the Fourier basis of a surface.
+struct EigenBasis {
+    Vector eigenvalues;              ///< k, increasing, in 1 / squared mesh units; the first is 0
+    Eigen::MatrixXd eigenfunctions;  ///< V x k, orthonormal under `mass`; largest entry of each positive
+    Vector mass;                     ///< V, area of each vertex
+
+    int size() const { return static_cast<int>(eigenvalues.size()); }
+};
+
+/// The `n_functions` lowest eigenfunctions (fewer if the mesh has fewer vertices), by shift-invert Lanczos.
+/// The first `n_functions` do not depend on how the vertices are numbered, up to the sign rule's ties and the
+/// choice within repeated eigenvalues. About O(V^1.2 * n_functions). Throws InvalidInput if n_functions < 1,
+/// NumericalError if the iteration fails.
+EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions);
+EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions);
+
+}  // namespace counterpart

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/candidates.hpp"
+
+#include "base/parallel.hpp"
+#include "match/spectral/extremity_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace counterpart::spectral_match {
+namespace {
+
+constexpr int start_size = 20;  // functions of the first functional map
+constexpr int coarse_size = 30;
+
+std::vector<int> sizes_between(int first, int last, int step) {
+    std::vector<int> sizes;
+    for (int k = first; k < last; k += step) sizes.push_back(k);
+    sizes.push_back(last);
+    return sizes;
+}
+
+Eigen::MatrixXd unit_columns(Eigen::MatrixXd m) {
+    for (Eigen::Index j = 0; j < m.cols(); ++j) m.col(j) /= std::max(m.col(j).norm(), 1e-12);
+    return m;
+}
+
+// Coefficients of a shape's descriptors: wave kernel and curvature.
+Eigen::MatrixXd descriptor_coefficients(const Shape& shape, int k) {
+    const Eigen::MatrixXd dual =
+        shape.basis.eigenfunctions.leftCols(k).transpose() * shape.basis.mass.asDiagonal();
+    const Eigen::MatrixXd wave = unit_columns(dual * shape.wave_kernel) * 0.2;
+    const Eigen::MatrixXd curvature = unit_columns(dual * shape.curvature) * 0.3;
+    Eigen::MatrixXd all(k, wave.cols() + curvature.cols());
+    all << wave, curvature;
+    return all;
+}
+
+// The same, followed by those of heat kernels at the given vertices.
+Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const Shape& shape,
+                                  const std::vector<Index>& vertices) {
+    const std::vector<double> times{0.005, 0.02, 0.06};
+    const Eigen::Index k = descriptors.rows();
+    Eigen::MatrixXd heat(k, static_cast<Eigen::Index>(vertices.size() * times.size()));
+    Eigen::Index column = 0;
+    for (const Index v : vertices)
+        for (const double t : times)
+            heat.col(column++) = shape.basis.eigenfunctions.row(v).head(k).transpose().array() *
+                                 (-t * shape.basis.eigenvalues.head(k).array()).exp();
+    Eigen::MatrixXd all(k, descriptors.cols() + heat.cols());
+    all << descriptors, unit_columns(heat);
+    return all;
+}
+
+// C with C f_B = f_A in the least squares sense, and commuting with the Laplacians.
+MatrixF least_squares_map(const Shape& a, const Shape& b, const Eigen::MatrixXd& fa,
+                          const Eigen::MatrixXd& fb) {
+    constexpr double commutativity = 3;
+    const Eigen::MatrixXd gram = fb * fb.transpose(), cross = fa * fb.transpose();
+    const Eigen::Index k = fa.rows();
+    const double scale = std::max(a.basis.eigenvalues[k - 1], b.basis.eigenvalues[k - 1]);
+    MatrixF map(k, fb.rows());
+    for (Eigen::Index i = 0; i < k; ++i) {
+        Eigen::MatrixXd system = gram;
+        for (Eigen::Index j = 0; j < fb.rows(); ++j) {
+            const double gap = (a.basis.eigenvalues[i] - b.basis.eigenvalues[j]) / scale;
+            system(j, j) += commutativity * gap * gap + 1e-6;
+        }
+        map.row(i) = system.ldlt().solve(cross.row(i).transpose()).transpose().cast<float>();
+    }
+    return map;
+}
+
+// All of the Candidate from a starting functional map.
+Candidate grow(const SampledPair& pair, const PairedFunctionalMaps& start) {
+    const int first = static_cast<int>(start.a_from_b.rows());
+    Candidate candidate;
+    candidate.maps = match_points(pair.points_a, pair.points_b, start);
+    candidate.maps = zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps),
+                              sizes_between(std::min(first + 1, coarse_size), coarse_size, 3), false);
+    candidate.functional =
+        fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, coarse_size, false);
+    candidate.scores = score_maps(pair, candidate.maps, candidate.functional, 2, 0.3);
+    return candidate;
+}
+
+PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
+    const int k = column + 1;
+    PairedFunctionalMaps result{maps.a_from_b.topLeftCorner(k, k), maps.b_from_a.topLeftCorner(k, k)};
+    result.a_from_b.col(column) *= -1;
+    result.b_from_a.row(column) *= -1;
+    return result;
+}
+
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double least,
+                   std::size_t count) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
+    std::vector<Candidate> kept;
+    for (Candidate& candidate : candidates) {
+        if (kept.size() == count) break;
+        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
+            return distance(candidate.maps, other.maps) >= least;
+        });
+        if (is_new) kept.push_back(std::move(candidate));
+    }
+    candidates = std::move(kept);
+}
+
+}  // namespace
+
+MapDistance::MapDistance(const Shape& a, const Shape& b, std::size_t n_samples) : a_(a), b_(b) {
+    const auto nearest = [&](const Shape& shape) {
+        std::vector<Index> result;
+        for (std::size_t s = 0; s < std::min(n_samples, shape.samples.size()); ++s) {
+            Eigen::Index row = 0;
+            shape.sample_distances.col(shape.samples[s]).minCoeff(&row);
+            result.push_back(static_cast<Index>(row));
+        }
+        return result;
+    };
+    nearest_a_ = nearest(a);
+    nearest_b_ = nearest(b);
+}
+
+double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
+    const auto mean = [](const Shape& to, const std::vector<Index>& nearest, const std::vector<Index>& f,
+                         const std::vector<Index>& g) {
+        double sum = 0;
+        for (std::size_t s = 0; s < f.size(); ++s) {
+            const Index i = nearest[static_cast<std::size_t>(f[s])],
+                        j = nearest[static_cast<std::size_t>(g[s])];
+            sum += to.sample_distances(i, to.samples[static_cast<std::size_t>(j)]);
+        }
+        return sum / static_cast<double>(std::max<std::size_t>(f.size(), 1));
+    };
+    return (mean(b_, nearest_b_, x.b_from_a, y.b_from_a) + mean(a_, nearest_a_, x.a_from_b, y.a_from_b)) / 2;
+}
+
+std::vector<Candidate> find_candidates(const SampledPair& pair,
+                                       const std::vector<std::pair<Index, Index>>& landmarks,
+                                       std::size_t count) {
+    constexpr std::size_t n_matchings = 24, n_varied = 10;
+    constexpr int n_rounds = 4, first_flip = 5, last_flip = 17;
+    constexpr double least_difference = 0.05;
+    std::vector<std::vector<std::pair<Index, Index>>> anchors;
+    if (!landmarks.empty())
+        anchors.push_back(landmarks);
+    else {
+        for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, n_matchings)) {
+            anchors.emplace_back();
+            for (const auto& [i, j] : matching.pairs)
+                anchors.back().emplace_back(pair.a.extremities[static_cast<std::size_t>(i)].vertex,
+                                            pair.b.extremities[static_cast<std::size_t>(j)].vertex);
+        }
+        anchors.emplace_back();  // descriptors alone
+    }
+    const int k = std::min({start_size, pair.a.basis.size(), pair.b.basis.size()});
+    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(pair.a, k),
+                          descriptors_b = descriptor_coefficients(pair.b, k);
+    std::vector<Candidate> candidates(anchors.size());
+    parallel_for(anchors.size(), 1, [&](std::size_t i) {
+        std::vector<Index> on_a, on_b;
+        for (const auto& [va, vb] : anchors[i]) {
+            on_a.push_back(va);
+            on_b.push_back(vb);
+        }
+        const MatrixF c = least_squares_map(pair.a, pair.b, with_heat_kernels(descriptors_a, pair.a, on_a),
+                                            with_heat_kernels(descriptors_b, pair.b, on_b));
+        candidates[i] = grow(pair, {c, c.transpose()});
+    });
+    const MapDistance distance(pair.a, pair.b, static_cast<std::size_t>(pair.points_a.size()));
+    keep_distinct(candidates, distance, least_difference, candidates.size());
+    for (int round = 0; round < n_rounds; ++round) {
+        // Only candidates that were not varied before.
+        std::vector<std::pair<std::size_t, int>> flips;
+        std::size_t chosen = 0;
+        for (std::size_t i = 0; i < candidates.size() && (round == 0 || chosen < n_varied); ++i) {
+            if (candidates[i].varied) continue;
+            candidates[i].varied = true;
+            ++chosen;
+            for (int column = first_flip; column <= std::min(last_flip, coarse_size - 1); ++column)
+                flips.emplace_back(i, column);
+        }
+        if (flips.empty()) break;
+        const std::size_t n_before = candidates.size();
+        candidates.resize(n_before + flips.size());
+        parallel_for(flips.size(), 1, [&](std::size_t f) {
+            candidates[n_before + f] =
+                grow(pair, flipped(candidates[flips[f].first].functional, flips[f].second));
+        });
+        keep_distinct(candidates, distance, least_difference, count * 2);
+    }
+    if (candidates.size() > count) candidates.resize(count);
+    return candidates;
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/extremity_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace counterpart::spectral_match {
+namespace {
+
+constexpr std::size_t beam_width = 2000;
+constexpr double average_weight = 0.5, skip_cost = 0.25;
+constexpr std::size_t least_pairs = 3;
+
+struct Partial {
+    std::vector<int> partner;  // of each extremity of A so far; -1 = skipped
+    double pair_cost = 0;      // sum over pairs of matched extremities
+    double own_cost = 0;       // sum over matched extremities
+    int n_matched = 0, n_skipped = 0;
+
+    double cost() const { return (pair_cost + own_cost) / std::max(n_matched, 1) + skip_cost * n_skipped; }
+};
+
+bool cheaper(const Partial& x, const Partial& y) {
+    return x.cost() != y.cost() ? x.cost() < y.cost() : x.partner < y.partner;
+}
+
+double between(const Shape& shape, int i, int j) {
+    return shape.extremity_distances(i, shape.extremities[static_cast<std::size_t>(j)].vertex);
+}
+
+// Extremities of A in order, each to a free one of B or skipped; the best `beam_width` go on.
+std::vector<Partial> beam_search(const Shape& a, const Shape& b) {
+    std::vector<Partial> beam(1);
+    const int na = static_cast<int>(a.extremities.size()), nb = static_cast<int>(b.extremities.size());
+    for (int i = 0; i < na; ++i) {
+        std::vector<Partial> grown;
+        for (const Partial& partial : beam) {
+            Partial skipped = partial;
+            skipped.partner.push_back(-1);
+            ++skipped.n_skipped;
+            grown.push_back(std::move(skipped));
+            for (int j = 0; j < nb; ++j) {
+                if (std::find(partial.partner.begin(), partial.partner.end(), j) != partial.partner.end())
+                    continue;
+                Partial next = partial;
+                for (int k = 0; k < i; ++k) {
+                    const int l = partial.partner[static_cast<std::size_t>(k)];
+                    if (l >= 0) next.pair_cost += std::abs(between(a, i, k) - between(b, j, l));
+                }
+                next.own_cost +=
+                    average_weight * std::abs(a.extremities[static_cast<std::size_t>(i)].average_distance -
+                                              b.extremities[static_cast<std::size_t>(j)].average_distance);
+                next.partner.push_back(j);
+                ++next.n_matched;
+                grown.push_back(std::move(next));
+            }
+        }
+        const std::size_t kept = std::min(beam_width, grown.size());
+        std::partial_sort(grown.begin(), grown.begin() + static_cast<std::ptrdiff_t>(kept), grown.end(),
+                          cheaper);
+        grown.resize(kept);
+        beam = std::move(grown);
+    }
+    for (Partial& partial : beam) partial.n_skipped += std::max(0, nb - partial.n_matched);
+    return beam;
+}
+
+// For each distance sample of A the vertex of B, among its distance samples, at the most similar distances
+// from the matched extremities.
+std::vector<int> crude_map(const Shape& a, const Shape& b, const ExtremityMatching& matching) {
+    const auto n = static_cast<Eigen::Index>(matching.pairs.size());
+    const auto rows = [&](const Shape& shape, bool first) {
+        MatrixF vectors(shape.sample_distances.rows(), n);
+        for (Eigen::Index s = 0; s < vectors.rows(); ++s)
+            for (Eigen::Index p = 0; p < n; ++p) {
+                const auto [i, j] = matching.pairs[static_cast<std::size_t>(p)];
+                vectors(s, p) =
+                    shape.extremity_distances(first ? i : j, shape.samples[static_cast<std::size_t>(s)]);
+            }
+        return vectors;
+    };
+    const MatrixF x = rows(a, true), y = rows(b, false);
+    return best_partners(x, y, x.rowwise().squaredNorm() / 2, y.rowwise().squaredNorm() / 2).of_row;
+}
+
+double mean_distance(const Shape& b, const std::vector<int>& map, const std::vector<int>& other) {
+    double sum = 0;
+    for (std::size_t s = 0; s < map.size(); ++s)
+        sum += b.sample_distances(map[s], b.samples[static_cast<std::size_t>(other[s])]);
+    return sum / static_cast<double>(map.size());
+}
+
+}  // namespace
+
+std::vector<ExtremityMatching> match_extremities(const Shape& a, const Shape& b, std::size_t count) {
+    constexpr double least_difference = 0.08;
+    std::vector<ExtremityMatching> all;
+    const auto collect = [&](const std::vector<Partial>& beam, bool reversed) {
+        for (const Partial& partial : beam) {
+            if (static_cast<std::size_t>(partial.n_matched) < least_pairs) continue;
+            ExtremityMatching matching;
+            matching.cost = partial.cost();
+            for (int i = 0; i < static_cast<int>(partial.partner.size()); ++i) {
+                const int j = partial.partner[static_cast<std::size_t>(i)];
+                if (j >= 0) matching.pairs.emplace_back(reversed ? j : i, reversed ? i : j);
+            }
+            std::sort(matching.pairs.begin(), matching.pairs.end());
+            all.push_back(std::move(matching));
+        }
+    };
+    collect(beam_search(a, b), false);
+    collect(beam_search(b, a), true);
+    std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) {
+        return x.cost != y.cost ? x.cost < y.cost : x.pairs < y.pairs;
+    });
+    std::vector<ExtremityMatching> kept;
+    std::vector<std::vector<int>> maps;
+    for (const ExtremityMatching& matching : all) {
+        if (kept.size() == count) break;
+        std::vector<int> map = crude_map(a, b, matching);
+        const bool is_new = std::all_of(maps.begin(), maps.end(), [&](const std::vector<int>& other) {
+            return mean_distance(b, map, other) >= least_difference;
+        });
+        if (!is_new) continue;
+        kept.push_back(matching);
+        maps.push_back(std::move(map));
+    }
+    return kept;
+}
+
+}  // namespace counterpart::spectral_match

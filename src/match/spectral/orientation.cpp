@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/orientation.hpp"
+
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+namespace counterpart::spectral_match {
+
+OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis& basis, int size,
+                                     int n_coefficients) {
+    OrientationTensor result;
+    result.size = std::min(size, basis.size());
+    result.n_coefficients = std::min(n_coefficients, basis.size());
+    const Eigen::MatrixXd& phi = basis.eigenfunctions;
+    // In a triangle with corners 0, 1, 2 and area T: omega(f, g) = (df1 dg2 - df2 dg1) / (2 T). Its integral
+    // against a linear function is T * omega * mean of the function: the area cancels.
+    const Index n = mesh.n_triangles();
+    Eigen::MatrixXd first(n, result.size), second(n, result.size), mean(n, result.n_coefficients);
+    for (Index t = 0; t < n; ++t) {
+        const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
+        first.row(t) = phi.row(b).head(result.size) - phi.row(a).head(result.size);
+        second.row(t) = phi.row(c).head(result.size) - phi.row(a).head(result.size);
+        mean.row(t) = (phi.row(a) + phi.row(b) + phi.row(c)).head(result.n_coefficients) / 6;
+    }
+    const int s = result.size;
+    Eigen::MatrixXd omega(n, s * (s - 1) / 2);
+    for (int i = 0, column = 0; i < s; ++i)
+        for (int j = i + 1; j < s; ++j, ++column)
+            omega.col(column) =
+                first.col(i).cwiseProduct(second.col(j)) - second.col(i).cwiseProduct(first.col(j));
+    const Eigen::MatrixXd coefficients = omega.transpose() * mean;
+    result.values.setZero(s * s, result.n_coefficients);
+    for (int i = 0, row = 0; i < s; ++i) {
+        for (int j = i + 1; j < s; ++j, ++row) {
+            result.values.row(i * s + j) = coefficients.row(row).cast<float>();
+            result.values.row(j * s + i) = -coefficients.row(row).cast<float>();
+        }
+    }
+    return result;
+}
+
+double orientation_score(const OrientationTensor& a, const OrientationTensor& b, const MatrixF& a_from_b) {
+    const int sa = std::min<int>(a.size, static_cast<int>(a_from_b.rows()));
+    const int sb = std::min<int>(b.size, static_cast<int>(a_from_b.cols()));
+    const int ca = std::min<int>(a.n_coefficients, static_cast<int>(a_from_b.rows()));
+    const int cb = std::min<int>(b.n_coefficients, static_cast<int>(a_from_b.cols()));
+    const Eigen::MatrixXf c = a_from_b.topLeftCorner(sa, sb);
+    // Pulled back: the tensor of B with its coefficients taken to A; pushed: the tensor of A on C phi_i, C
+    // phi_j.
+    const MatrixF pulled = b.values.leftCols(cb) * a_from_b.topLeftCorner(ca, cb).transpose();
+    double product = 0, norm_pulled = 0, norm_pushed = 0;
+    Eigen::MatrixXf slice(sa, sa);
+    for (int m = 0; m < ca; ++m) {
+        for (int i = 0; i < sa; ++i)
+            for (int j = 0; j < sa; ++j) slice(i, j) = a.values(i * a.size + j, m);
+        const Eigen::MatrixXf pushed = c.transpose() * slice * c;
+        for (int i = 0; i < sb; ++i) {
+            for (int j = i + 1; j < sb; ++j) {
+                const double x = pulled(i * b.size + j, m), y = pushed(i, j);
+                product += x * y;
+                norm_pulled += x * x;
+                norm_pushed += y * y;
+            }
+        }
+    }
+    const double norm = std::sqrt(norm_pulled * norm_pushed);
+    return norm > 0 ? product / norm : 0;
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/shape.hpp"
+
+#include <counterpart/descriptor/curvature.hpp>
+#include <counterpart/descriptor/spectral_signatures.hpp>
+#include <counterpart/geodesic/base_vertices.hpp>
+#include <counterpart/geodesic/distances.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace counterpart::spectral_match {
+namespace {
+
+TriangleMesh normalized(const TriangleMesh& mesh) {
+    TriangleMesh result = mesh;
+    const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
+    result.vertices.rowwise() -= center;
+    result.vertices /= std::sqrt(surface_area(mesh));
+    return result;
+}
+
+// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
+// unit area.
+constexpr float unreachable = 10;
+
+MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources) {
+    MatrixF rows = distance_rows(graph, sources).cast<float>();
+    return rows.cwiseMin(unreachable);
+}
+
+void sample(Shape& shape, const DistanceGraph& graph, int count) {
+    shape.samples = base_vertices(shape.mesh, graph, {.count = static_cast<Index>(count)}).vertices;
+    const std::size_t n_rows = std::min<std::size_t>(n_distance_samples, shape.samples.size());
+    shape.sample_distances = finite_rows(graph, std::span(shape.samples).first(n_rows));
+}
+
+// Local maxima of the average distance, suppressed outwards from the highest.
+void find_extremities(Shape& shape, const DistanceGraph& graph) {
+    constexpr double least = 1.2, radius = 0.15;
+    constexpr std::size_t at_most = 12;
+    const Vector average = shape.sample_distances.cast<double>().colwise().mean().transpose();
+    const Vector relative = average / average.minCoeff();
+    std::vector<Index> order(static_cast<std::size_t>(relative.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return relative[a] > relative[b]; });
+    std::vector<char> covered(order.size(), 0);
+    std::vector<Index> found;
+    for (const Index v : order) {
+        if (relative[v] < least || found.size() == at_most) break;
+        if (covered[static_cast<std::size_t>(v)]) continue;
+        const Vector distance = distances_from(graph, v, {.radius = radius});
+        bool maximal = true;
+        for (Index w = 0; w < distance.size(); ++w) {
+            if (distance[w] >= radius) continue;
+            covered[static_cast<std::size_t>(w)] = 1;
+            if (relative[w] > relative[v]) maximal = false;
+        }
+        if (!maximal) continue;
+        shape.extremities.push_back({v, relative[v]});
+        found.push_back(v);
+    }
+    shape.extremity_distances = finite_rows(graph, found);
+}
+
+// Curvature spikes at single vertices would outweigh the rest.
+Vector clamped(const Vector& values) {
+    std::vector<double> magnitudes(values.data(), values.data() + values.size());
+    for (double& x : magnitudes) x = std::abs(x);
+    std::sort(magnitudes.begin(), magnitudes.end());
+    const double bound = magnitudes[magnitudes.size() * 95 / 100];
+    return values.cwiseMax(-bound).cwiseMin(bound);
+}
+
+// Each column's values replaced by the share of the area that has less, minus a half: the same distribution
+// on every shape, which no single feature can dominate.
+Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
+    std::vector<Index> order(static_cast<std::size_t>(values.rows()));
+    for (Eigen::Index j = 0; j < values.cols(); ++j) {
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](Index a, Index b) { return values(a, j) < values(b, j); });
+        double below = 0;
+        Vector rank(values.rows());
+        for (const Index v : order) {
+            rank[v] = (below + mass[v] / 2) / mass.sum() - 0.5;
+            below += mass[v];
+        }
+        values.col(j) = rank;
+    }
+    return values;
+}
+
+}  // namespace
+
+Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
+    Shape shape;
+    shape.mesh = normalized(mesh);
+    if (signed_volume(shape.mesh) < 0) {
+        shape.mesh.triangles.col(1).swap(shape.mesh.triangles.col(2));
+        shape.was_inside_out = true;
+    }
+    const DistanceGraph graph(shape.mesh);
+    sample(shape, graph, options.n_samples);
+    find_extremities(shape, graph);
+    const LaplaceBeltrami laplacian = laplace_beltrami(shape.mesh);
+    shape.basis = eigen_basis(laplacian, options.n_functions);
+    shape.all.functions = shape.basis.eigenfunctions.cast<float>();
+    shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
+    shape.normals = vertex_normals(shape.mesh);
+    shape.curvature = ranked(
+        diffuse(clamped(mean_curvature(shape.mesh, laplacian)), shape.basis, {0.0005, 0.001, 0.003, 0.01}),
+        shape.basis.mass);
+    shape.wave_kernel = wave_kernel_signature(shape.basis);
+    shape.orientation = orientation_tensor(shape.mesh, shape.basis, 20, 30);
+    return shape;
+}
+
+SpectralPoints sampled(const Shape& shape, std::size_t count) {
+    count = std::min(count, shape.samples.size());
+    SpectralPoints points{MatrixF(count, shape.all.functions.cols()), shape.all.frequencies};
+    for (std::size_t i = 0; i < count; ++i)
+        points.functions.row(static_cast<Eigen::Index>(i)) = shape.all.functions.row(shape.samples[i]);
+    return points;
+}
+
+}  // namespace counterpart::spectral_match

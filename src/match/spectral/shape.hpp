@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Everything that is computed for one surface before the other is known. All at unit area.
+#pragma once
+
+#include "match/spectral/orientation.hpp"
+#include "spectral/bijective_zoom_out.hpp"
+
+#include <counterpart/spectral/eigen_basis.hpp>
+
+#include <vector>
+
+namespace counterpart::spectral_match {
+
+struct ShapeOptions {
+    int n_functions = 200;
+    int n_samples = 1000;
+};
+
+struct Extremity {
+    Index vertex = 0;
+    double average_distance = 0;  // divided by the smallest on the surface
+};
+
+struct Shape {
+    TriangleMesh mesh;  // unit area, centred, wound outwards
+    bool was_inside_out = false;
+    EigenBasis basis;
+    SpectralPoints all;  // at every vertex
+    Points normals;
+    Eigen::MatrixXd
+        curvature;  // V x 4: area ranks, in [-0.5, 0.5], of mean curvature at four scales, fine to coarse
+    Eigen::MatrixXd wave_kernel;  // V x 40
+    OrientationTensor orientation;
+    std::vector<Index> samples;          // farthest points, in that order
+    MatrixF sample_distances;            // n_distance_samples x V: rows of the first samples
+    std::vector<Extremity> extremities;  // most distant first
+    MatrixF extremity_distances;         // extremities x V
+};
+
+constexpr int n_distance_samples = 150;
+
+Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options);
+
+/// The first `count` samples as ZoomOut points.
+SpectralPoints sampled(const Shape& shape, std::size_t count);
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/eigenpairs.hpp"
+
+#include <counterpart/base/errors.hpp>
+
+#include <algorithm>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+
+namespace counterpart {
+namespace {
+
+// What Spectra asks of an operator: y = (stiffness - shift * mass)^-1 x.
+class ShiftInvert {
+  public:
+    using Scalar = double;
+
+    ShiftInvert(const SparseMatrix& stiffness, const SparseMatrix& mass)
+        : stiffness_(stiffness), mass_(mass) {}
+
+    Eigen::Index rows() const { return stiffness_.rows(); }
+    Eigen::Index cols() const { return stiffness_.cols(); }
+    void set_shift(double shift) {
+        factor_.compute(stiffness_ - shift * mass_);
+        if (factor_.info() != Eigen::Success)
+            throw NumericalError("the shifted Laplacian cannot be factorized");
+    }
+    void perform_op(const double* x, double* y) const {
+        Eigen::Map<Vector>(y, rows()) = factor_.solve(Eigen::Map<const Vector>(x, rows()));
+    }
+
+  private:
+    const SparseMatrix& stiffness_;
+    const SparseMatrix& mass_;
+    Eigen::SimplicialLDLT<SparseMatrix> factor_;
+};
+
+Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(stiffness),
+                                                                           Eigen::MatrixXd(mass)};
+    if (solver.info() != Eigen::Success)
+        throw NumericalError("the dense eigenvalue problem did not converge");
+    return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+}
+
+Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+                              double shift) {
+    ShiftInvert inverse(stiffness, mass);
+    Spectra::SparseSymMatProd<double> product(mass);
+    const auto size = static_cast<int>(stiffness.rows());
+    // Twice as many basis vectors as wanted pairs, Spectra's advice; larger saves restarts but costs memory.
+    const int n_basis = std::min(size, 2 * count + 20);
+    Spectra::SymGEigsShiftSolver<ShiftInvert, Spectra::SparseSymMatProd<double>,
+                                 Spectra::GEigsMode::ShiftInvert>
+        solver(inverse, product, count, n_basis, shift);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9, Spectra::SortRule::SmallestAlge);
+    if (solver.info() != Spectra::CompInfo::Successful)
+        throw NumericalError("the eigenvalue iteration did not converge");
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+}  // namespace
+
+Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+                               double shift) {
+    const auto size = static_cast<int>(stiffness.rows());
+    if (count < 1 || count > size)
+        throw InvalidInput("the number of eigenpairs must be from 1 to the matrix' size");
+    Eigenpairs pairs = size <= 3 * count || size <= 200 ? dense_eigenpairs(stiffness, mass, count)
+                                                        : lanczos_eigenpairs(stiffness, mass, count, shift);
+    for (Eigen::Index j = 0; j < pairs.vectors.cols(); ++j) {
+        auto vector = pairs.vectors.col(j);
+        Eigen::Index largest = 0;
+        vector.cwiseAbs().maxCoeff(&largest);
+        if (vector[largest] < 0) vector = -vector;
+    }
+    return pairs;
+}
+
+}  // namespace counterpart

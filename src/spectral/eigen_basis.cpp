@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/eigenpairs.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace counterpart {
+
+EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions) {
+    if (n_functions < 1) throw InvalidInput("eigen_basis: the number of functions must be at least 1");
+    const auto size = static_cast<int>(laplacian.mass.size());
+    // The problem is solved at unit area, so that one shift suits every mesh.
+    const double area = laplacian.mass.sum();
+    SparseMatrix mass(size, size);
+    mass.reserve(Eigen::VectorXi::Constant(size, 1));
+    for (int v = 0; v < size; ++v) mass.insert(v, v) = laplacian.mass[v] / area;
+    Eigenpairs pairs = smallest_eigenpairs(laplacian.stiffness, mass, std::min(n_functions, size), -0.01);
+    return {pairs.values.cwiseMax(0.0) / area, pairs.vectors / std::sqrt(area), laplacian.mass};
+}
+
+EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions) {
+    return eigen_basis(laplace_beltrami(mesh), n_functions);
+}
+
+}  // namespace counterpart

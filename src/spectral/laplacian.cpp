@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/nearest_neighbors.hpp"
+#include "spectral/intrinsic_triangulation.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/adjacency.hpp>
+#include <counterpart/spectral/laplacian.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace counterpart {
+namespace {
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add_spring(Entries& entries, Index a, Index b, double weight) {
+    entries.emplace_back(a, b, -weight);
+    entries.emplace_back(b, a, -weight);
+    entries.emplace_back(a, a, weight);
+    entries.emplace_back(b, b, weight);
+}
+
+struct Piece {
+    std::vector<Index> vertices;
+    double mass = 0;
+};
+
+std::vector<Piece> pieces_with_area(const TriangleMesh& mesh, const Vector& mass) {
+    const Components components = connected_components(Adjacency(mesh));
+    std::vector<Piece> pieces(static_cast<std::size_t>(components.count));
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        Piece& piece = pieces[static_cast<std::size_t>(components.of_vertex[static_cast<std::size_t>(v)])];
+        piece.vertices.push_back(v);
+        piece.mass += mass[v];
+    }
+    std::erase_if(pieces, [](const Piece& piece) { return piece.mass <= 0; });
+    return pieces;
+}
+
+// A spring of weight w on a piece of mass m gives it a mode "this piece against the rest" of eigenvalue about
+// w / m. Where the surface's own 80 or so lowest modes end (4 pi k, Weyl's law), such modes no longer get in
+// their way.
+void add_bridges(Entries& entries, const TriangleMesh& mesh, const std::vector<Piece>& pieces, double area) {
+    constexpr double bridge_eigenvalue = 1000;
+    constexpr std::size_t springs_per_piece = 3;
+    const auto largest = std::max_element(pieces.begin(), pieces.end(),
+                                          [](const Piece& a, const Piece& b) { return a.mass < b.mass; });
+    Points anchors(static_cast<Eigen::Index>(largest->vertices.size()), 3);
+    for (Eigen::Index i = 0; i < anchors.rows(); ++i)
+        anchors.row(i) = mesh.vertices.row(largest->vertices[static_cast<std::size_t>(i)]);
+    const NearestNeighbors search(anchors);
+    for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
+        if (piece == largest) continue;
+        std::vector<std::tuple<double, Index, Index>> nearest;
+        for (const Index v : piece->vertices) {
+            const auto found = search.closest(mesh.vertices.row(v));
+            nearest.emplace_back(found.squared_distance, v,
+                                 largest->vertices[static_cast<std::size_t>(found.index)]);
+        }
+        const std::size_t count = std::min(springs_per_piece, nearest.size());
+        std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count),
+                          nearest.end());
+        const double weight = bridge_eigenvalue * piece->mass / (area * static_cast<double>(count));
+        for (std::size_t i = 0; i < count; ++i)
+            add_spring(entries, std::get<1>(nearest[i]), std::get<2>(nearest[i]), weight);
+    }
+}
+
+}  // namespace
+
+LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOptions& options) {
+    require_valid(mesh);
+    if (!(options.mollification >= 0 && options.mollification <= 0.1))
+        throw InvalidInput("laplace_beltrami: mollification must be in [0, 0.1]");
+    IntrinsicTriangulation surface(mesh);
+    if (options.mollification > 0) surface.mollify(options.mollification);
+
+    LaplaceBeltrami result;
+    result.n_cut_edges = surface.n_cut_edges();
+    if (options.intrinsic_delaunay) result.n_flips = surface.make_delaunay();
+    result.mass = Vector::Zero(mesh.n_vertices());
+    Entries entries;
+    entries.reserve(static_cast<std::size_t>(surface.n_triangles()) * 12);
+    for (Index t = 0; t < surface.n_triangles(); ++t) {
+        const double third = surface.area(t) / 3;
+        for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+            result.mass[surface.origin(h)] += third;
+            add_spring(entries, surface.origin(h), surface.origin(IntrinsicTriangulation::next(h)),
+                       surface.opposite_cotangent(h) / 2);
+        }
+    }
+    const double area = result.mass.sum();
+    if (!(area > 0)) throw InvalidInput("the mesh has no area: all its triangles are degenerate");
+    const std::vector<Piece> pieces = pieces_with_area(mesh, result.mass);
+    result.n_components = static_cast<Index>(pieces.size());
+    if (options.bridge_components && pieces.size() > 1) add_bridges(entries, mesh, pieces, area);
+    // Unreferenced vertices get a mass too small to matter, so that the operator stays regular.
+    const double tiny = 1e-9 * area / static_cast<double>(mesh.n_vertices());
+    result.mass = result.mass.cwiseMax(tiny);
+    result.stiffness.resize(mesh.n_vertices(), mesh.n_vertices());
+    result.stiffness.setFromTriplets(entries.begin(), entries.end());
+    return result;
+}
+
+}  // namespace counterpart
