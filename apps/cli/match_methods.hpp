@@ -36,5 +36,6 @@ struct MatchMethod {
 };
 
 MatchMethod add_nearest_method(CLI::App& match);
+MatchMethod add_spectral_method(CLI::App& match);
 
 }  // namespace counterpart::cli

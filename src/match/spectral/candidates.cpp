@@ -140,6 +140,16 @@ double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
     return (mean(b_, nearest_b_, x.b_from_a, y.b_from_a) + mean(a_, nearest_a_, x.a_from_b, y.a_from_b)) / 2;
 }
 
+double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const {
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < x.b_from_a.size(); ++s) {
+        const Index i = nearest_b_[static_cast<std::size_t>(x.b_from_a[s])];
+        const Index j = nearest_b_[static_cast<std::size_t>(y.b_from_a[s])];
+        if (b_.sample_distances(i, b_.samples[static_cast<std::size_t>(j)]) > distance) ++count;
+    }
+    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
+}
+
 std::vector<Candidate> find_candidates(const SampledPair& pair,
                                        const std::vector<std::pair<Index, Index>>& landmarks,
                                        std::size_t count) {
@@ -182,7 +192,12 @@ std::vector<Candidate> find_candidates(const SampledPair& pair,
             if (candidates[i].varied) continue;
             candidates[i].varied = true;
             ++chosen;
-            for (int column = first_flip; column <= std::min(last_flip, coarse_size - 1); ++column)
+            for (int column = first_flip;
+                 column <= std::min<int>(last_flip, static_cast<int>(
+                                                        std::min(candidates[i].functional.a_from_b.rows(),
+                                                                 candidates[i].functional.a_from_b.cols())) -
+                                                        1);
+                 ++column)
                 flips.emplace_back(i, column);
         }
         if (flips.empty()) break;

@@ -18,6 +18,8 @@ class MapDistance {
   public:
     MapDistance(const Shape& a, const Shape& b, std::size_t n_samples);
     double operator()(const PairedMaps& x, const PairedMaps& y) const;
+    /// Share of the samples of A that the two maps take farther apart than `distance`.
+    double share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const;
 
   private:
     const Shape& a_;

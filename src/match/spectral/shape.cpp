@@ -12,6 +12,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
+
+#include <Eigen/Eigenvalues>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -67,6 +70,13 @@ void find_extremities(Shape& shape, const DistanceGraph& graph) {
     shape.extremity_distances = finite_rows(graph, found);
 }
 
+// All normals along one line.
+bool is_flat(const Shape& shape) {
+    const Eigen::Matrix3d spread = shape.normals.transpose() * shape.basis.mass.asDiagonal() * shape.normals;
+    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+    return values[0] + values[1] < 1e-6 * values[2];
+}
+
 // Curvature spikes at single vertices would outweigh the rest.
 Vector clamped(const Vector& values) {
     std::vector<double> magnitudes(values.data(), values.data() + values.size());
@@ -112,11 +122,21 @@ Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
     shape.all.functions = shape.basis.eigenfunctions.cast<float>();
     shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
     shape.normals = vertex_normals(shape.mesh);
+    shape.n_components = laplacian.n_components;
+    shape.flat = is_flat(shape);
     shape.curvature = ranked(
         diffuse(clamped(mean_curvature(shape.mesh, laplacian)), shape.basis, {0.0005, 0.001, 0.003, 0.01}),
         shape.basis.mass);
     shape.wave_kernel = wave_kernel_signature(shape.basis);
     shape.orientation = orientation_tensor(shape.mesh, shape.basis, 20, 30);
+    return shape;
+}
+
+Shape mirrored(Shape shape) {
+    shape.mesh.vertices.col(0) *= -1;
+    shape.mesh.triangles.col(1).swap(shape.mesh.triangles.col(2));
+    shape.normals.col(0) *= -1;
+    shape.orientation.values *= -1;
     return shape;
 }
 

@@ -26,6 +26,8 @@ struct Extremity {
 struct Shape {
     TriangleMesh mesh;  // unit area, centred, wound outwards
     bool was_inside_out = false;
+    bool flat = false;
+    Index n_components = 1;
     EigenBasis basis;
     SpectralPoints all;  // at every vertex
     Points normals;
@@ -42,6 +44,9 @@ struct Shape {
 constexpr int n_distance_samples = 150;
 
 Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options);
+
+/// The reflected shape, the same vertices.
+Shape mirrored(Shape shape);
 
 /// The first `count` samples as ZoomOut points.
 SpectralPoints sampled(const Shape& shape, std::size_t count);

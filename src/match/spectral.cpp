@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+#include "match/spectral/judgement.hpp"
+#include "match/spectral/refinement.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/match/spectral.hpp>
+
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
+
+namespace counterpart {
+namespace {
+
+using namespace spectral_match;
+
+constexpr Index least_vertices = 20;
+constexpr double close_margin = 0.03, poor_score = 0.3;
+
+void require_usable(const TriangleMesh& mesh, const SpectralShapeOptions& options) {
+    require_valid(mesh);
+    if (mesh.n_vertices() < least_vertices)
+        throw InvalidInput(fmt::format(
+            "spectral matching needs meshes of at least {} vertices, not {}: too few to carry eigenfunctions",
+            least_vertices, mesh.n_vertices()));
+    if (options.basis_size < 30 || options.basis_size > 500)
+        throw InvalidInput("the basis size must be from 30 to 500");
+    if (options.n_samples < 200 || options.n_samples > 5000)
+        throw InvalidInput("the number of samples must be from 200 to 5000");
+}
+
+void require_landmarks(const SpectralOptions& options, const Shape& source, const Shape& target) {
+    if (options.n_alternatives < 0 || options.n_alternatives > 10)
+        throw InvalidInput("the number of alternatives must be from 0 to 10");
+    if (!options.landmarks.empty() && options.landmarks.size() < 3)
+        throw InvalidInput(fmt::format("at least 3 landmarks are needed, not {}", options.landmarks.size()));
+    for (const auto& [s, t] : options.landmarks) {
+        if (s < 0 || s >= source.mesh.n_vertices() || t < 0 || t >= target.mesh.n_vertices())
+            throw InvalidInput(
+                fmt::format("landmark ({}, {}) is out of range: the meshes have {} and {} vertices", s, t,
+                            source.mesh.n_vertices(), target.mesh.n_vertices()));
+    }
+}
+
+VertexMap vertex_map(std::vector<Index> image, const Shape& target) {
+    return {std::move(image), target.mesh.n_vertices()};
+}
+
+void add_alternatives(SpectralResult& result, const SampledPair& pair,
+                      const std::vector<Candidate>& candidates, int count) {
+    for (std::size_t i = 1; i < candidates.size() && i <= static_cast<std::size_t>(count); ++i) {
+        const PairedMaps maps = match_points(pair.a.all, pair.b.all, candidates[i].functional);
+        result.alternatives.push_back({vertex_map(maps.b_from_a, pair.b), candidates[i].scores.total,
+                                       describe(pair, candidates[0], candidates[i])});
+    }
+}
+
+void add_warnings(SpectralResult& result, const Shape& source, const Shape& target) {
+    result.warnings = doubts(source, target);
+    if (result.score < poor_score)
+        result.warnings.push_back(
+            fmt::format("no map keeps the shapes' distances and curvature well (score {:.2f}): they may not "
+                        "be the same kind of "
+                        "thing, do not rely on this map",
+                        result.score));
+    if (result.margin < close_margin && !result.alternatives.empty())
+        result.warnings.push_back(
+            fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): look at both, or "
+                        "give landmarks",
+                        result.alternatives[0].score, result.score, result.alternatives[0].description));
+}
+
+SpectralResult match_shapes(const Shape& source, const Shape& target, const SpectralOptions& options,
+                            Stopwatch watch) {
+    require_landmarks(options, source, target);
+    constexpr std::size_t n_coarse_samples = 300, n_middle_samples = 600, n_candidates = 12;
+    const SampledPair coarse(source, target, n_coarse_samples);
+    std::vector<Candidate> candidates = find_candidates(coarse, options.landmarks, n_candidates);
+    watch.lap("candidates");
+    report(options.progress, 0.6);
+    candidates = choose(source, target, std::move(candidates), n_candidates);
+    watch.lap("choose");
+    report(options.progress, 0.75);
+
+    SpectralResult result;
+    const Candidate& best = candidates.front();
+    PairedMaps maps = refine(source, target, best.functional);
+    watch.lap("refine");
+    report(options.progress, 0.95);
+    result.score = best.scores.total;
+    result.margin = candidates.size() > 1 ? result.score - candidates[1].scores.total
+                                          : std::numeric_limits<double>::infinity();
+    result.confidence = confidence(source, target, maps, result.score);
+    add_alternatives(result, SampledPair(source, target, n_middle_samples), candidates,
+                     options.n_alternatives);
+    result.target_from_source = vertex_map(std::move(maps.b_from_a), target);
+    result.source_from_target = vertex_map(std::move(maps.a_from_b), source);
+    add_warnings(result, source, target);
+    watch.lap("judge");
+    result.stages = watch.stages();
+    report(options.progress, 1);
+    return result;
+}
+
+SpectralResult match_either_side(const Shape& source, const Shape& target, const SpectralOptions& options,
+                                 Stopwatch watch) {
+    return options.symmetric ? match_shapes(source, mirrored(target), options, std::move(watch))
+                             : match_shapes(source, target, options, std::move(watch));
+}
+
+}  // namespace
+
+SpectralShape::SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options) {
+    require_usable(mesh, options);
+    data_ = with_threads(options.n_threads, [&] {
+        return std::make_shared<const Shape>(
+            prepare(mesh, {.n_functions = options.basis_size, .n_samples = options.n_samples}));
+    });
+}
+
+SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,
+                              const SpectralOptions& options) {
+    return with_threads(options.n_threads, [&] {
+        return match_either_side(source.data(), target.data(), options, Stopwatch());
+    });
+}
+
+SpectralResult match_spectral(const TriangleMesh& source, const TriangleMesh& target,
+                              const SpectralOptions& options, const SpectralShapeOptions& shape_options) {
+    Stopwatch watch;
+    require_usable(source, shape_options);
+    require_usable(target, shape_options);
+    return with_threads(options.n_threads, [&] {
+        const ShapeOptions shape{.n_functions = shape_options.basis_size,
+                                 .n_samples = shape_options.n_samples};
+        std::optional<Shape> a, b;
+        tbb::parallel_invoke([&] { a = prepare(source, shape); }, [&] { b = prepare(target, shape); });
+        watch.lap("prepare");
+        report(options.progress, 0.4);
+        return match_either_side(*a, *b, options, std::move(watch));
+    });
+}
+
+}  // namespace counterpart

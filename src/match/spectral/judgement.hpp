@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What is said about a map once it is found: how sure it is, and how the runners-up differ.
+#pragma once
+
+#include "match/spectral/candidates.hpp"
+
+#include <string>
+
+namespace counterpart::spectral_match {
+
+/// Per vertex of A in [0, 1]: near 1 where the map there and back returns, keeps neighbours together, and the
+/// whole map scores well.
+Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double score);
+
+/// How `other` differs from `best`, in words.
+std::string describe(const SampledPair& pair, const Candidate& best, const Candidate& other);
+
+/// Sentences about what the two shapes themselves make doubtful.
+std::vector<std::string> doubts(const Shape& source, const Shape& target);
+
+}  // namespace counterpart::spectral_match

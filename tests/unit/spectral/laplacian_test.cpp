@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+#include <counterpart/spectral/laplacian.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+TriangleMesh fan_with_three_triangles_at_one_edge() {
+    TriangleMesh mesh{Points(5, 3), Triangles(3, 3)};
+    mesh.vertices << 0, 0, 0, 0, 0, 1, 1, 0, 0, -1, 1, 0, -1, -1, 0;
+    mesh.triangles << 0, 1, 2, 0, 1, 3, 0, 1, 4;
+    return mesh;
+}
+
+TEST(Laplacian, RefusesWhatHasNoSurface) {
+    EXPECT_THROW(laplace_beltrami({}), InvalidInput);
+    TriangleMesh needle{Points::Zero(3, 3), Triangles(1, 3)};
+    needle.triangles << 0, 1, 2;
+    EXPECT_THROW(laplace_beltrami(needle), InvalidInput);
+    EXPECT_THROW(laplace_beltrami(make_grid(2, 2), {.mollification = -1}), InvalidInput);
+}
+
+TEST(Laplacian, RowsSumToZeroAndMassToTheArea) {
+    const TriangleMesh mesh = make_torus(30, 20);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    EXPECT_LT((laplacian.stiffness * Vector::Ones(mesh.n_vertices())).cwiseAbs().maxCoeff(), 1e-10);
+    EXPECT_NEAR(laplacian.mass.sum(), surface_area(mesh), 1e-9);
+    EXPECT_NEAR((SparseMatrix(laplacian.stiffness.transpose()) - laplacian.stiffness).norm(), 0, 1e-12);
+    EXPECT_EQ(laplacian.n_components, 1);
+}
+
+TEST(Laplacian, LinearFunctionsOnAPlaneAreHarmonicWhateverTheTriangles) {
+    TriangleMesh grid = make_grid(20, 20);
+    for (Index v = 0; v < grid.n_vertices(); ++v) {  // sheared: very obtuse triangles
+        grid.vertices(v, 0) += 3 * grid.vertices(v, 1);
+    }
+    const LaplaceBeltrami laplacian = laplace_beltrami(grid, {.mollification = 0});
+    EXPECT_GT(laplacian.n_flips, 0);
+    const Vector laplace = laplacian.stiffness * grid.vertices.col(1);
+    for (Index v = 0; v < grid.n_vertices(); ++v) {
+        const Index column = v % 21, row = v / 21;
+        // Flips do not reach outside the sheared strip's middle.
+        if (column >= 5 && column <= 15 && row >= 5 && row <= 15) EXPECT_NEAR(laplace[v], 0, 1e-10) << v;
+    }
+}
+
+TEST(Laplacian, FlippingRemovesNegativeWeights) {
+    TriangleMesh mesh = make_torus(60, 6);
+    const auto most_negative = [&](bool flip) {
+        const LaplaceBeltrami laplacian = laplace_beltrami(mesh, {.intrinsic_delaunay = flip});
+        double worst = 0;
+        for (int k = 0; k < laplacian.stiffness.outerSize(); ++k)
+            for (SparseMatrix::InnerIterator it(laplacian.stiffness, k); it; ++it)
+                if (it.row() != it.col()) worst = std::max(worst, it.value());
+        return worst;
+    };
+    EXPECT_GT(most_negative(false), 1e-6);
+    EXPECT_LT(most_negative(true), 1e-6);
+}
+
+TEST(Laplacian, NonManifoldEdgesActAsBoundary) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(fan_with_three_triangles_at_one_edge());
+    EXPECT_EQ(laplacian.n_cut_edges, 1);
+    EXPECT_TRUE(laplacian.mass.allFinite());
+    EXPECT_GT(laplacian.mass.minCoeff(), 0);
+}
+
+TEST(Laplacian, BridgesTieComponents) {
+    TriangleMesh one = make_icosphere(2),
+                 two{Points(2 * one.n_vertices(), 3), Triangles(2 * one.n_triangles(), 3)};
+    two.vertices << one.vertices, one.vertices.rowwise() + Eigen::RowVector3d(3, 0, 0);
+    two.triangles << one.triangles, (one.triangles.array() + one.n_vertices()).matrix();
+    const LaplaceBeltrami tied = laplace_beltrami(two),
+                          loose = laplace_beltrami(two, {.bridge_components = false});
+    EXPECT_EQ(tied.n_components, 2);
+    EXPECT_GT(tied.stiffness.nonZeros(), loose.stiffness.nonZeros());
+}
+
+}  // namespace
+}  // namespace counterpart
