@@ -10,6 +10,7 @@ namespace counterpart::cli {
 
 void add_convert(CLI::App& program);
 void add_deform(CLI::App& program);
+void add_distances(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_inspect(CLI::App& program);
 void add_match(CLI::App& program);

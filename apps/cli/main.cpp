@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     counterpart::cli::add_deform(program);
     counterpart::cli::add_inspect(program);
     counterpart::cli::add_match(program);
+    counterpart::cli::add_distances(program);
     counterpart::cli::add_evaluate(program);
     try {
         program.parse(argc, argv);
