@@ -21,7 +21,7 @@ BestPartners nearest(const MatrixF& x, const MatrixF& y) {
 }
 
 TEST(ProductSearch, FindsTheNearestOfBothSides) {
-    for (const auto [n, m, d] : {std::tuple{1, 1, 1}, {7, 33, 3}, {500, 261, 40}, {241, 1000, 17}}) {
+    for (const auto& [n, m, d] : {std::tuple{1, 1, 1}, {7, 33, 3}, {500, 261, 40}, {241, 1000, 17}}) {
         const MatrixF x = random_matrix(n, d, 1), y = random_matrix(m, d, 2);
         const BestPartners found = nearest(x, y);
         ASSERT_EQ(found.of_row.size(), static_cast<std::size_t>(n));

@@ -47,7 +47,9 @@ TEST(Laplacian, LinearFunctionsOnAPlaneAreHarmonicWhateverTheTriangles) {
     for (Index v = 0; v < grid.n_vertices(); ++v) {
         const Index column = v % 21, row = v / 21;
         // Flips do not reach outside the sheared strip's middle.
-        if (column >= 5 && column <= 15 && row >= 5 && row <= 15) EXPECT_NEAR(laplace[v], 0, 1e-10) << v;
+        if (column >= 5 && column <= 15 && row >= 5 && row <= 15) {
+            EXPECT_NEAR(laplace[v], 0, 1e-10) << v;
+        }
     }
 }
 
