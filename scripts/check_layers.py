@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "descriptor": ["base", "mesh", "geodesic", "spectral"],
     "match": ["base", "mesh", "map", "numerics", "geodesic", "frontier", "align", "spectral", "descriptor"],
     "evaluation": ["base", "mesh", "map", "geodesic"],
-    "transfer": ["base", "mesh", "map"],
+    "transfer": ["base", "mesh", "map", "numerics", "align"],
 }
 INCLUDE = re.compile(r'^\s*#include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|Eigen/\w+)$")

@@ -14,5 +14,8 @@ void add_distances(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_inspect(CLI::App& program);
 void add_match(CLI::App& program);
+void add_align(CLI::App& program);
+void add_morph(CLI::App& program);
+void add_project(CLI::App& program);
 
 }  // namespace counterpart::cli

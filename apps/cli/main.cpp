@@ -18,6 +18,9 @@ int main(int argc, char** argv) {
     counterpart::cli::add_match(program);
     counterpart::cli::add_distances(program);
     counterpart::cli::add_evaluate(program);
+    counterpart::cli::add_project(program);
+    counterpart::cli::add_morph(program);
+    counterpart::cli::add_align(program);
     try {
         program.parse(argc, argv);
         return 0;

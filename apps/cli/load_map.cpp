@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "load_map.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/surface_map_file.hpp>
+#include <counterpart/transfer/project.hpp>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+
+SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
+                            const TriangleMesh& target, const CommonOptions& options) {
+    if (file.empty()) {
+        if (source.n_vertices() != target.n_vertices()) {
+            throw InvalidInput(fmt::format("the meshes have {} and {} vertices: a --map is needed",
+                                           source.n_vertices(), target.n_vertices()));
+        }
+        return surface_map_of(identity_map(source.n_vertices()), target);
+    }
+    try {
+        std::variant<VertexMap, SurfaceMap> map = read_map(file);
+        if (auto* points = std::get_if<SurfaceMap>(&map)) {
+            points->target_triangles = target.n_triangles();
+            require_valid(*points, source.n_vertices(), target.n_triangles());
+            return std::move(*points);
+        }
+        auto& vertices = std::get<VertexMap>(map);
+        vertices.target_size = target.n_vertices();
+        require_valid(vertices, source.n_vertices(), target.n_vertices());
+        return project_map(source, target, vertices, {.n_threads = options.threads});
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+}  // namespace counterpart::cli

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "load_map.hpp"
+
+#include <counterpart/io/surface_map_file.hpp>
+#include <counterpart/transfer/project.hpp>
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct ProjectCommand {
+    CommonOptions common;
+    std::filesystem::path source, target, map, output, inverse;
+};
+
+void run(const ProjectCommand& command) {
+    const TriangleMesh source = load_mesh(command.source, command.common);
+    const TriangleMesh target = load_mesh(command.target, command.common);
+    const SurfaceMap target_from_source = load_surface_map(command.map, source, target, command.common);
+    Json report = {{"command", "project"},
+                   {"source_vertices", source.n_vertices()},
+                   {"matched_vertices", count_matched(target_from_source)}};
+    if (!command.inverse.empty()) {
+        const SurfaceMap back =
+            invert(target_from_source, source, target, {.n_threads = command.common.threads});
+        write_surface_map(back, command.inverse);
+        report["inverse_matched_vertices"] = count_matched(back);
+    }
+    write_surface_map(target_from_source, command.output);
+    say(command.common,
+        fmt::format("{} of {} vertices have a point on the target -> {}", count_matched(target_from_source),
+                    source.n_vertices(), command.output.string()));
+    write_report(report, command.common);
+}
+
+}  // namespace
+
+void add_project(CLI::App& program) {
+    auto command = std::make_shared<ProjectCommand>();
+    CLI::App* project =
+        program.add_subcommand("project", "Make a sub-vertex map (triangle and weights) from a vertex map");
+    project->add_option("SOURCE", command->source, "Mesh file")->required();
+    project->add_option("TARGET", command->target, "Mesh file")->required();
+    project->add_option("--map", command->map, "Map from SOURCE to TARGET")->required()->type_name("FILE");
+    project
+        ->add_option("-o,--output", command->output,
+                     "Line i = target triangle and three weights of source vertex i; .npy too")
+        ->required();
+    project->add_option("--inverse", command->inverse, "Also write the sub-vertex map from TARGET to SOURCE")
+        ->type_name("FILE");
+    add_common_options(*project, command->common);
+    project->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

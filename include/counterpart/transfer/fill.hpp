@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/mesh/adjacency.hpp>
+
+#include <vector>
+
+namespace counterpart {
+
+struct FillResult {
+    Matrix values;
+    Index filled = 0;   ///< rows taken from their neighbours
+    Index unknown = 0;  ///< rows left NaN: no vertex of their component has a value
+};
+
+/// Replaces the rows of `values` (n_vertices x K) that hold NaN by the smoothest continuation of the others:
+/// each becomes the mean of its neighbours (the graph's harmonic extension), so no value leaves the range of
+/// those around it. O(n^1.5) for n unknown rows.
+FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values);
+
+}  // namespace counterpart

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/base/types.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace counterpart {
+
+/// The point of a triangle closest to a query point.
+struct ClosestPoint {
+    Index triangle = -1;
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners; not negative, sum 1
+    double squared_distance = std::numeric_limits<double>::infinity();
+};
+
+/// Ericson, Real-Time Collision Detection, 5.1.5. Exact weights (1, 0, 0) at corners. A degenerate triangle
+/// is treated as its edges.
+ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vector3d& a,
+                                 const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+/// Closest points on a triangle soup by a tree of boxes, in double precision. Keeps a copy of the mesh.
+/// Building is O(F log F), a query about O(log F). Queries may run on several threads at once.
+class ClosestTriangle {
+  public:
+    ClosestTriangle(Points vertices, Triangles triangles);
+
+    /// The closest point; of equally close triangles the one with the smallest number. With a `normal` (unit)
+    /// only triangles whose unit normal has a product above `least_cosine` with it count; triangle is -1 if
+    /// there is none within `radius`.
+    ClosestPoint closest(const Eigen::Vector3d& query,
+                         double radius = std::numeric_limits<double>::infinity()) const {
+        return search(query, Eigen::Vector3d::Zero(), -2, radius);
+    }
+    ClosestPoint closest(const Eigen::Vector3d& query, const Eigen::Vector3d& normal, double least_cosine,
+                         double radius = std::numeric_limits<double>::infinity()) const {
+        return search(query, normal, least_cosine, radius);
+    }
+
+    Eigen::Vector3d position(const ClosestPoint& point) const;
+    const Points& normals() const { return normals_; }
+
+  private:
+    struct Node {
+        Eigen::Array3d low, high;
+        Index begin, end;  // leaf: triangles order_[begin .. end)
+        Index right;       // inner: the left child follows its parent; 0 = leaf
+    };
+    void build(Index begin, Index end, const Points& centers);
+    ClosestPoint search(const Eigen::Vector3d& query, const Eigen::Vector3d& normal, double least_cosine,
+                        double radius) const;
+
+    Points vertices_, normals_;
+    Triangles triangles_;
+    std::vector<Index> order_;
+    std::vector<Node> nodes_;
+};
+
+}  // namespace counterpart

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
+#include <counterpart/transfer/fill.hpp>
+
+#include <Eigen/SparseCholesky>
+
+namespace counterpart {
+namespace {
+
+// Vertices that can be reached from one with a value.
+std::vector<char> reachable_from(const Adjacency& adjacency, const std::vector<char>& known) {
+    std::vector<char> reached = known;
+    std::vector<Index> queue;
+    for (Index v = 0; v < adjacency.n_vertices(); ++v)
+        if (known[static_cast<std::size_t>(v)]) queue.push_back(v);
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+        for (const Index w : adjacency.neighbors(queue[i])) {
+            if (reached[static_cast<std::size_t>(w)]) continue;
+            reached[static_cast<std::size_t>(w)] = 1;
+            queue.push_back(w);
+        }
+    }
+    return reached;
+}
+
+}  // namespace
+
+FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values) {
+    if (values.rows() != adjacency.n_vertices())
+        throw InvalidInput("fill: one row of values per vertex is needed");
+    FillResult result{values};
+    std::vector<char> known(static_cast<std::size_t>(values.rows()));
+    for (Index v = 0; v < adjacency.n_vertices(); ++v)
+        known[static_cast<std::size_t>(v)] = !values.row(v).hasNaN();
+    const std::vector<char> reached = reachable_from(adjacency, known);
+    std::vector<Index> unknown, place(known.size(), -1);
+    for (std::size_t v = 0; v < known.size(); ++v) {
+        if (known[v]) continue;
+        if (!reached[v]) {
+            ++result.unknown;
+            continue;
+        }
+        place[v] = static_cast<Index>(unknown.size());
+        unknown.push_back(static_cast<Index>(v));
+    }
+    result.filled = static_cast<Index>(unknown.size());
+    if (unknown.empty()) return result;
+
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(result.filled, values.cols());
+    for (Index i = 0; i < result.filled; ++i) {
+        const auto neighbors = adjacency.neighbors(unknown[static_cast<std::size_t>(i)]);
+        entries.emplace_back(i, i, static_cast<double>(neighbors.size()));
+        for (const Index w : neighbors) {
+            const Index j = place[static_cast<std::size_t>(w)];
+            if (j >= 0)
+                entries.emplace_back(i, j, -1.0);
+            else
+                right.row(i) += values.row(w);
+        }
+    }
+    SparseMatrix laplacian(result.filled, result.filled);
+    laplacian.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<SparseMatrix> solver(laplacian);
+    if (solver.info() != Eigen::Success) throw NumericalError("fill: the system could not be solved");
+    const Eigen::MatrixXd solution = solver.solve(right);
+    for (Index i = 0; i < result.filled; ++i)
+        result.values.row(unknown[static_cast<std::size_t>(i)]) = solution.row(i);
+    return result;
+}
+
+}  // namespace counterpart

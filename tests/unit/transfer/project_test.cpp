@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/nearest_neighbors.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/mesh/shapes.hpp>
+#include <counterpart/transfer/project.hpp>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+// Two triangulations of one sphere, and for each vertex of the first the closest one of the second.
+struct Spheres {
+    TriangleMesh source = make_icosphere(3), target = make_icosphere(3);
+    VertexMap map;
+    Spheres() {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+        target.vertices = (target.vertices * turn.transpose()).eval();
+        const NearestNeighbors neighbors(target.vertices);
+        map.target_size = target.n_vertices();
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            map.image.push_back(neighbors.closest(source.vertices.row(v)).index);
+    }
+};
+
+double mean_distance(const Points& a, const Points& b) { return (a - b).rowwise().norm().mean(); }
+
+TEST(ProjectMap, IsCloserThanTheVertices) {
+    const Spheres s;
+    const SurfaceMap points = project_map(s.source, s.target, s.map);
+    require_valid(points, s.source.n_vertices(), s.target.n_triangles());
+    const double by_vertices =
+        mean_distance(image_positions(surface_map_of(s.map, s.target), s.target), s.source.vertices);
+    EXPECT_LT(mean_distance(image_positions(points, s.target), s.source.vertices), by_vertices / 2);
+}
+
+TEST(ProjectMap, OneConnectivityStaysOnTheVertices) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const ShuffleResult copy = shuffle(source, 4);
+    const VertexMap map{copy.shuffled_from_original, source.n_vertices()};
+    const SurfaceMap points = project_map(source, copy.mesh, map);
+    EXPECT_EQ(nearest_corners(points, copy.mesh), map);
+    EXPECT_EQ(image_positions(points, copy.mesh), source.vertices);
+    const SurfaceMap back = invert(points, source, copy.mesh);
+    EXPECT_EQ(nearest_corners(back, source), invert(map));
+}
+
+TEST(ProjectMap, UnmatchedStaysUnmatched) {
+    Spheres s;
+    s.map.image[7] = VertexMap::unmatched;
+    const SurfaceMap points = project_map(s.source, s.target, s.map);
+    EXPECT_FALSE(points[7].matched());
+    EXPECT_EQ(count_matched(points), s.source.n_vertices() - 1);
+}
+
+TEST(Invert, ThereAndBackIsNear) {
+    const Spheres s;
+    const SurfaceMap there = project_map(s.source, s.target, s.map);
+    const SurfaceMap back = invert(there, s.source, s.target);
+    require_valid(back, s.target.n_vertices(), s.source.n_triangles());
+    EXPECT_EQ(count_matched(back), s.target.n_vertices());
+    // A smooth function carried to the target and back comes back nearly unchanged.
+    const Matrix carried = pull_back(back, s.source, s.source.vertices);
+    const Matrix returned = pull_back(there, s.target, carried);
+    EXPECT_LT((returned - s.source.vertices).norm() / s.source.vertices.norm(), 0.01);
+}
+
+TEST(Invert, WhatTheMapLeavesOutIsUnmatched) {
+    Spheres s;
+    for (Index v = 0; v < s.source.n_vertices(); ++v)
+        if (s.source.vertices(v, 2) < 0) s.map.image[static_cast<std::size_t>(v)] = VertexMap::unmatched;
+    const SurfaceMap back = invert(project_map(s.source, s.target, s.map), s.source, s.target);
+    for (Index w = 0; w < s.target.n_vertices(); ++w) {
+        if (s.target.vertices(w, 2) < -0.5) EXPECT_FALSE(back[w].matched()) << w;
+        if (s.target.vertices(w, 2) > 0.2) EXPECT_TRUE(back[w].matched()) << w;
+    }
+}
+
+TEST(ProjectMap, SameBytesForAnyNumberOfThreads) {
+    const Spheres s;
+    EXPECT_EQ(project_map(s.source, s.target, s.map, {.n_threads = 1}),
+              project_map(s.source, s.target, s.map, {.n_threads = 3}));
+}
+
+TEST(ProjectMap, RefusesBadMapsAndOptions) {
+    Spheres s;
+    EXPECT_THROW(project_map(s.source, s.target, s.map, {.rings = 0}), InvalidInput);
+    EXPECT_THROW(project_map(s.source, s.target, identity_map(3)), InvalidInput);
+    s.map.image[0] = s.target.n_vertices();
+    EXPECT_THROW(project_map(s.source, s.target, s.map), InvalidInput);
+}
+
+}  // namespace
+}  // namespace counterpart
