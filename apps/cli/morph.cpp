@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "load_map.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/transfer/fill.hpp>
+#include <counterpart/transfer/fit_transform.hpp>
+#include <counterpart/transfer/morph.hpp>
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct MorphCommand {
+    CommonOptions common;
+    std::filesystem::path first, last, map, output;
+    std::string format = ".obj";
+    int count = 24;
+    MorphOptions options;
+};
+
+// The last pose with the first one's connectivity. Vertices that the map leaves out move with their
+// neighbours, after the motion of the whole.
+Points last_pose(const TriangleMesh& first, const TriangleMesh& last, const MorphCommand& command) {
+    const SurfaceMap map = load_surface_map(command.map, first, last, command.common);
+    const Points images = image_positions(map, last);
+    if (count_matched(map) == first.n_vertices()) return images;
+    std::vector<Index> matched;
+    for (Index v = 0; v < first.n_vertices(); ++v)
+        if (map[v].matched()) matched.push_back(v);
+    const Transform whole = fit_transform(Points(first.vertices(matched, Eigen::all)),
+                                          Points(images(matched, Eigen::all)), TransformModel::similarity);
+    const Points moved = whole(first.vertices);
+    const FillResult fill = fill_from_neighbors(Adjacency(first), images - moved);
+    if (fill.unknown > 0) {
+        throw InvalidInput(fmt::format(
+            "{} vertices of {} lie in components without any match; complete the map or remove them",
+            fill.unknown, command.first.string()));
+    }
+    say(command.common, fmt::format("{} vertices without a match follow their neighbours", fill.filled));
+    return moved + fill.values;
+}
+
+Json measured(const TriangleMesh& first, const Points& last, const std::vector<Points>& frames) {
+    Json rows = Json::array();
+    const std::size_t steps = frames.size() + 1;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const double time = static_cast<double>(k + 1) / static_cast<double>(steps);
+        const double before_time = static_cast<double>(k) / static_cast<double>(steps);
+        const MorphQuality quality =
+            measure_morph(first, last, time, frames[k], k == 0 ? first.vertices : frames[k - 1]);
+        const MorphQuality linear =
+            measure_morph(first, last, time, (1 - time) * first.vertices + time * last,
+                          (1 - before_time) * first.vertices + before_time * last);
+        rows.push_back({{"time", time},
+                        {"mean_edge_error", quality.mean_edge_error},
+                        {"volume_ratio", quality.volume_ratio},
+                        {"inverted_triangles", quality.inverted_triangles},
+                        {"linear_mean_edge_error", linear.mean_edge_error},
+                        {"linear_volume_ratio", linear.volume_ratio},
+                        {"linear_inverted_triangles", linear.inverted_triangles}});
+    }
+    return rows;
+}
+
+std::string worst_of(const Json& rows, const std::string& prefix) {
+    double error = 0, volume = rows.empty() ? 1 : 1e300;
+    Index inverted = 0;
+    for (const Json& row : rows) {
+        error = std::max(error, row[prefix + "mean_edge_error"].get<double>());
+        volume = std::min(volume, row[prefix + "volume_ratio"].get<double>());
+        inverted += row[prefix + "inverted_triangles"].get<Index>();
+    }
+    return fmt::format("edges off by {:.2f} %, volume down to {:.1f} %, {} triangles turned over",
+                       100 * error, 100 * volume, inverted);
+}
+
+void run(const MorphCommand& command) {
+    Stopwatch watch;
+    const TriangleMesh first = load_mesh(command.first, command.common);
+    const TriangleMesh last = load_mesh(command.last, command.common);
+    MorphOptions options = command.options;
+    options.n_threads = command.common.threads;
+    const Points pose = last_pose(first, last, command);
+    watch.lap("read");
+    const std::vector<Points> frames =
+        morph_frames(first, pose, command.count, options, progress_bar("morphing", command.common));
+    watch.lap("morph");
+
+    std::error_code failure;
+    std::filesystem::create_directories(command.output, failure);
+    if (failure)
+        throw IoError(fmt::format("{}: cannot be made ({})", command.output.string(), failure.message()));
+    const auto write = [&](const Points& vertices, std::size_t number) {
+        write_mesh({vertices, first.triangles},
+                   command.output / fmt::format("frame_{:04}{}", number, command.format));
+    };
+    write(first.vertices, 0);
+    for (std::size_t k = 0; k < frames.size(); ++k) write(frames[k], k + 1);
+    write(pose, frames.size() + 1);
+    watch.lap("write");
+
+    const Json rows = measured(first, pose, frames);
+    say(command.common, "as rigid as possible: " + worst_of(rows, ""));
+    say(command.common, "linear blending:      " + worst_of(rows, "linear_"));
+    say(command.common, fmt::format("{} in-betweens and the two key frames in {:.2f} s -> {}", frames.size(),
+                                    watch.stages()[1].seconds, command.output.string()));
+    write_report({{"command", "morph"},
+                  {"first", command.first.string()},
+                  {"last", command.last.string()},
+                  {"vertices", first.n_vertices()},
+                  {"frames", rows},
+                  {"seconds", to_json(watch.stages())}},
+                 command.common);
+}
+
+}  // namespace
+
+void add_morph(CLI::App& program) {
+    auto command = std::make_shared<MorphCommand>();
+    CLI::App* morph = program.add_subcommand("morph", "Make the frames between two poses A and B");
+    morph->add_option("A", command->first, "Mesh file: the first key frame, whose connectivity is kept")
+        ->required();
+    morph->add_option("B", command->last, "Mesh file: the last key frame")->required();
+    morph->add_option("--map", command->map, "Map from A to B; without it vertex i of A is vertex i of B")
+        ->type_name("FILE");
+    morph->add_option("-n,--frames", command->count, "Number of in-between frames; 0 to 10000")
+        ->check(CLI::Range(0, 10000))
+        ->capture_default_str();
+    morph->add_option("-o,--output", command->output, "Folder for frame_0000 (A) to frame_<n+1> (B)")
+        ->required();
+    morph->add_option("--format", command->format, "Of the frames: .obj, .ply, .off or .stl")
+        ->check(CLI::IsMember({".obj", ".ply", ".off", ".stl"}))
+        ->capture_default_str();
+    morph
+        ->add_option("--iterations", command->options.iterations,
+                     "Alternations per frame; more keeps edge lengths better; 0 to 100")
+        ->check(CLI::Range(0, 100))
+        ->capture_default_str();
+    add_common_options(*morph, command->common);
+    morph->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli
