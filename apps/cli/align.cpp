@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "load_map.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/transfer/fit_transform.hpp>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+const std::map<std::string, TransformModel> models = {{"rigid", TransformModel::rigid},
+                                                      {"similarity", TransformModel::similarity},
+                                                      {"affine", TransformModel::affine}};
+
+struct AlignCommand {
+    CommonOptions common;
+    std::filesystem::path source, target, map, output;
+    std::string model = "rigid";
+    bool use_icp = false;
+    IcpOptions icp;
+};
+
+struct Fit {
+    Transform transform;
+    double rms = 0;  // over what was fitted
+    Json details = Json::object();
+};
+
+Fit from_map(const TriangleMesh& source, const TriangleMesh& target, const SurfaceMap& map,
+             TransformModel model) {
+    std::vector<Index> matched;
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        if (map[v].matched()) matched.push_back(v);
+    const Points from = source.vertices(matched, Eigen::all);
+    const Points to = image_positions(map, target)(matched, Eigen::all);
+    Fit fit{fit_transform(from, to, model)};
+    fit.rms = std::sqrt((fit.transform(from) - to).rowwise().squaredNorm().mean());
+    fit.details["pairs"] = matched.size();
+    return fit;
+}
+
+Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const SurfaceMap& map,
+           const AlignCommand& command) {
+    IcpOptions options = command.icp;
+    options.n_threads = command.common.threads;
+    options.model = models.at(command.model);
+    Transform start;
+    if (count_matched(map) >= 4) {
+        start = from_map(source, target, map, options.model).transform;
+    } else {
+        start.translation = (target.vertices.colwise().mean() - source.vertices.colwise().mean()).transpose();
+    }
+    const IcpResult result = icp(source, target, start, map, options);
+    if (!result.converged)
+        warn(fmt::format("not converged after {} iterations; raise --iterations", result.iterations));
+    return {result.target_from_source,
+            result.rms_distance,
+            {{"iterations", result.iterations}, {"converged", result.converged}}};
+}
+
+void run(const AlignCommand& command) {
+    if (command.map.empty() && !command.use_icp)
+        throw InvalidInput("give --map with the pairs to align by, or --icp, or both");
+    TriangleMesh source = load_mesh(command.source, command.common);
+    const TriangleMesh target = load_mesh(command.target, command.common);
+    SurfaceMap map;
+    if (!command.map.empty()) map = load_surface_map(command.map, source, target, command.common);
+    const Fit fit = command.use_icp ? by_icp(source, target, map, command)
+                                    : from_map(source, target, map, models.at(command.model));
+    source.vertices = fit.transform(source.vertices);
+    write_mesh(source, command.output);
+    say(command.common, fmt::format("{} fit, root mean square distance {:.6g} -> {}", command.model, fit.rms,
+                                    command.output.string()));
+    Json matrix = Json::array();
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::RowVector3d row = fit.transform.linear.row(i);
+        matrix.push_back({row[0], row[1], row[2], fit.transform.translation[i]});
+    }
+    matrix.push_back({0, 0, 0, 1});
+    write_report({{"command", "align"},
+                  {"model", command.model},
+                  {"matrix", matrix},
+                  {"rms_distance", fit.rms},
+                  {"details", fit.details}},
+                 command.common);
+}
+
+}  // namespace
+
+void add_align(CLI::App& program) {
+    auto command = std::make_shared<AlignCommand>();
+    CLI::App* align = program.add_subcommand("align", "Move SOURCE onto TARGET by a map, by ICP, or by both");
+    align->add_option("SOURCE", command->source, "Mesh file")->required();
+    align->add_option("TARGET", command->target, "Mesh file")->required();
+    align->add_option("-o,--output", command->output, "The moved SOURCE")->required();
+    align->add_option("--map", command->map, "Map from SOURCE to TARGET: the pairs to align by")
+        ->type_name("FILE");
+    align
+        ->add_option("--model", command->model, "rigid, similarity (and scale) or affine; never a reflection")
+        ->check(CLI::IsMember({"rigid", "similarity", "affine"}))
+        ->capture_default_str();
+    align->add_flag("--icp", command->use_icp,
+                    "Refine by iterative closest points on the surface, from the map's fit or the centroids");
+    align->add_option("--iterations", command->icp.most_iterations, "At most, with --icp; 1 to 10000")
+        ->check(CLI::Range(1, 10000))
+        ->capture_default_str();
+    align->add_option("--trim", command->icp.trim, "Share of the worst pairs that ICP leaves out; 0 to 0.9")
+        ->check(CLI::Range(0.0, 0.9))
+        ->capture_default_str();
+    align
+        ->add_option("--known-weight", command->icp.known_weight,
+                     "Weight of the map's pairs against the closest ones in ICP; 0 or more")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    add_common_options(*align, command->common);
+    align->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/rotation.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/transfer/fit_transform.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+// The number of directions in which the points spread, from their 3 x 3 moment matrix.
+int spread(const Eigen::Matrix3d& moments) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments, Eigen::EigenvaluesOnly);
+    const Eigen::Vector3d values = solver.eigenvalues();
+    int directions = 0;
+    for (int i = 0; i < 3; ++i) directions += values[i] > 1e-12 * values[2] && values[i] > 0 ? 1 : 0;
+    return directions;
+}
+
+}  // namespace
+
+Transform fit_transform(const Points& source, const Points& target, TransformModel model,
+                        const Vector& weights) {
+    const Eigen::Index count = source.rows();
+    const Eigen::Index least = model == TransformModel::affine ? 4 : 3;
+    if (target.rows() != count || (weights.size() != 0 && weights.size() != count))
+        throw InvalidInput("fit: source, target and weights must have the same number of rows");
+    if (count < least)
+        throw InvalidInput(fmt::format("fit: {} pairs of points are too few; {} are needed", count, least));
+    if (!source.allFinite() || !target.allFinite() || (weights.size() > 0 && !(weights.minCoeff() >= 0)))
+        throw InvalidInput("fit: points must be finite and weights not negative");
+    const Vector w = weights.size() > 0 ? weights : Vector::Ones(count);
+    const double total = w.sum();
+    if (!(total > 0)) throw InvalidInput("fit: the weights sum to zero");
+    const Eigen::RowVector3d source_mean = w.transpose() * source / total;
+    const Eigen::RowVector3d target_mean = w.transpose() * target / total;
+    const Points x = source.rowwise() - source_mean, y = target.rowwise() - target_mean;
+    const Eigen::Matrix3d moments = x.transpose() * w.asDiagonal() * x;
+    const Eigen::Matrix3d covariance = y.transpose() * w.asDiagonal() * x;
+
+    Transform fit;
+    if (model == TransformModel::affine) {
+        if (spread(moments) < 3)
+            throw InvalidInput(
+                "fit: the source points lie in a plane; an affine transform is not determined");
+        fit.linear = covariance * moments.inverse();
+        if (!(fit.linear.determinant() > 0)) {
+            throw InvalidInput(
+                "fit: the best affine transform is a reflection or flattens the mesh; check the "
+                "map, or mirror one mesh");
+        }
+    } else {
+        if (spread(moments) < 2)
+            throw InvalidInput("fit: the source points lie on a line; the rotation is not determined");
+        fit.linear = fit_rotation(covariance).rotation;
+        if (model == TransformModel::similarity) {
+            const double scale = fit.linear.cwiseProduct(covariance).sum() / moments.trace();
+            if (!(scale > 0)) throw InvalidInput("fit: no positive scale fits these points");
+            fit.linear *= scale;
+        }
+    }
+    fit.translation = target_mean.transpose() - fit.linear * source_mean.transpose();
+    return fit;
+}
+
+}  // namespace counterpart
