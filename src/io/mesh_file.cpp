@@ -5,6 +5,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
@@ -27,15 +28,22 @@ constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
                                             {".ply", read_ply, ply_bytes},
                                             {".stl", read_stl, stl_bytes}}};
 
-const Format& format_of(const std::filesystem::path& file) {
+std::string lower_extension(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+const Format& format_of(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
     const auto* found = std::find_if(formats.begin(), formats.end(),
                                      [&](const Format& format) { return format.extension == extension; });
     if (found == formats.end()) {
-        throw IoError(fmt::format("{}: the name must end in .off, .obj, .ply or .stl, which tells the format",
-                                  file.string()));
+        throw IoError(
+            fmt::format("{}: the name must end in .off, .obj, .ply or .stl, which tells the format "
+                        "(.glb and .gltf can be read, not written)",
+                        file.string()));
     }
     return *found;
 }
@@ -43,6 +51,10 @@ const Format& format_of(const std::filesystem::path& file) {
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& file) {
+    if (const std::string extension = lower_extension(file); extension == ".glb" || extension == ".gltf") {
+        GltfFile gltf = read_gltf(file);
+        return {std::move(gltf.content.mesh), std::move(gltf.notices)};
+    }
     const Format& format = format_of(file);
     try {
         MeshFile result = format.read(read_whole_file(file), file.string());

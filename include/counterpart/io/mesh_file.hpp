@@ -12,11 +12,13 @@ namespace counterpart {
 
 /// A mesh as read, with what the reader had to do to it.
 struct MeshFile {
-    TriangleMesh mesh;  ///< vertex order and count exactly as in the file (STL: welded by position)
+    TriangleMesh
+        mesh;  ///< vertex order and count exactly as in the file (STL: welded by position; glTF: at seams)
     std::vector<std::string> notices;  ///< sentences for the user: polygons triangulated, STL welded, ...
 };
 
-/// Reads OFF, OBJ, PLY (text and binary) or STL (text and binary), chosen by the file's extension.
+/// Reads OFF, OBJ, PLY (text and binary), STL (text and binary) or glTF 2.0 (.glb, .gltf; see io/gltf.hpp),
+/// chosen by the file's extension.
 /// Throws IoError naming the file, the line (text formats) and the reason, also for meshes that require_valid
 /// refuses.
 MeshFile read_mesh(const std::filesystem::path& file);

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace counterpart {
+
+/// Values that a surface carries per corner of its triangles: texture coordinates, colours. Corners that
+/// share a row are smooth there; where two triangles at one vertex use different rows there is a seam.
+struct CornerAttribute {
+    Matrix values;      ///< one row per distinct value
+    Triangles corners;  ///< n_triangles x 3: the row of each corner, -1 where the triangle has none
+};
+
+/// What moves each vertex: numbers of joints, counted from 0 in the skin's list, and their weights.
+struct SkinBinding {
+    Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> joints;  ///< n_vertices x K
+    Matrix weights;  ///< n_vertices x K; each row sums to 1, or is all 0 for a vertex without a joint
+};
+
+/// A blend shape: where each vertex goes at weight 1.
+struct MorphTarget {
+    std::string name;
+    Points displacements;  ///< n_vertices x 3, in the mesh's units
+};
+
+/// A mesh with what artists attach to it. Empty parts are absent.
+struct AttributedMesh {
+    TriangleMesh mesh;
+    std::vector<CornerAttribute> texture_coordinates;  ///< n x 2 values each
+    std::vector<CornerAttribute> colors;               ///< n x 3 or n x 4 values in 0 .. 1 each
+    SkinBinding skin;
+    std::vector<MorphTarget> morphs;
+};
+
+}  // namespace counterpart
