@@ -18,7 +18,7 @@ namespace {
 struct MatchCommand {
     CommonOptions common;
     std::filesystem::path source, target, output;
-    std::string method = "nearest";
+    std::string method = "frontiers";
     std::vector<MatchMethod> methods;
 };
 
@@ -65,8 +65,8 @@ void add_match(CLI::App& program) {
         ->add_option("-o,--output", command->output,
                      "Map file: line i = target vertex of source vertex i, from 0; .npy too")
         ->required();
-    command->methods = {add_nearest_method(*match), add_hungarian_method(*match),
-                        add_spectral_method(*match)};
+    command->methods = {add_frontiers_method(*match), add_nearest_method(*match),
+                        add_hungarian_method(*match), add_spectral_method(*match)};
 
     std::vector<std::string> names;
     std::string help = "One of";

@@ -35,6 +35,7 @@ struct MatchMethod {
     std::function<MatchOutcome(const MatchInput&)> run;
 };
 
+MatchMethod add_frontiers_method(CLI::App& match);
 MatchMethod add_hungarian_method(CLI::App& match);
 MatchMethod add_nearest_method(CLI::App& match);
 MatchMethod add_spectral_method(CLI::App& match);

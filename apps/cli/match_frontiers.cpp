@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match_methods.hpp"
+
+#include <counterpart/match/frontiers.hpp>
+
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct FrontiersArguments {
+    FrontiersOptions options;
+    CLI::Option* pairing = nullptr;  // --paper pairs the closest unless told otherwise
+    bool positions_only = false;
+};
+
+Json to_json(const ComponentMatch& component) {
+    return {{"vertices", component.n_vertices},
+            {"frontiers", component.n_frontiers},
+            {"source", component.source},
+            {"target_source", component.target},
+            {"source_test", to_string(component.test)},
+            {"alike_target_vertices", component.n_alike},
+            {"interchangeable_components", component.n_interchangeable}};
+}
+
+MatchOutcome outcome_of(const FrontiersResult& result) {
+    MatchOutcome outcome;
+    outcome.target_from_source = result.target_from_source;
+    outcome.stages = result.stages;
+    const ComponentMatch& largest = result.components.front();
+    outcome.messages.push_back(
+        fmt::format("source vertex {} -> target vertex {} ({}); {} frontiers{}", largest.source,
+                    largest.target, to_string(largest.test), largest.n_frontiers,
+                    result.components.size() > 1
+                        ? fmt::format(" in the largest of {} components", result.components.size())
+                        : ""));
+    Index n_interchangeable = 0;
+    for (const ComponentMatch& component : result.components) {
+        n_interchangeable += component.n_interchangeable > 1 ? 1 : 0;
+        if (component.n_alike > 1)
+            outcome.messages.push_back(fmt::format(
+                "{} target vertices look like source vertex {} by connectivity: positions decided",
+                component.n_alike, component.source));
+    }
+    if (n_interchangeable > 0)
+        outcome.messages.push_back(fmt::format(
+            "{} components have others of the same connectivity: positions decided which is which",
+            n_interchangeable));
+    const double confidence = result.confidence.mean();
+    outcome.messages.push_back(fmt::format("edges kept: {:.2f} %", 100 * confidence));
+    outcome.details["mean_confidence"] = confidence;
+    outcome.details["decided_by_position"] = result.n_decided_by_position;
+    outcome.details["components"] = Json::array();
+    for (const ComponentMatch& component : result.components)
+        outcome.details["components"].push_back(to_json(component));
+    return outcome;
+}
+
+}  // namespace
+
+MatchMethod add_frontiers_method(CLI::App& match) {
+    auto arguments = std::make_shared<FrontiersArguments>();
+    FrontiersOptions& options = arguments->options;
+    const std::string group = "Options of --method frontiers";
+    match
+        .add_option("--source", options.source,
+                    "Source vertex, from 0; needs --target-source. Default: found")
+        ->check(CLI::NonNegativeNumber)
+        ->group(group);
+    match.add_option("--target-source", options.target_source, "Its partner in TARGET; needs --source")
+        ->check(CLI::NonNegativeNumber)
+        ->group(group);
+    match.add_flag("--paper", options.paper, "As published: whole frontiers, each on its own, closest pairs")
+        ->group(group);
+    match
+        .add_flag("--positions-only", arguments->positions_only,
+                  "Pair vertices by position and edges, without their sub-trees' hashes")
+        ->group(group);
+    match.add_flag("--edge-splits", options.edge_splits, "Split edges until there are sqrt(V) frontiers")
+        ->group(group);
+    const std::map<std::string, Pairing> names{
+        {"closest", Pairing::closest}, {"mutual", Pairing::mutual}, {"optimal", Pairing::optimal}};
+    arguments->pairing = match
+                             .add_option("--pairing", options.pairing,
+                                         "closest, mutual or optimal. Default: optimal; closest with --paper")
+                             ->transform(CLI::CheckedTransformer(names))
+                             ->group(group);
+    return {"frontiers", "the same connectivity: breadth-first frontiers, level by level",
+            [arguments](const MatchInput& input) {
+                FrontiersOptions run_options = arguments->options;
+                run_options.vertex_hashes = !arguments->positions_only;
+                if (run_options.paper && arguments->pairing->count() == 0)
+                    run_options.pairing = Pairing::closest;
+                run_options.n_threads = input.common.threads;
+                run_options.progress = input.progress;
+                return outcome_of(match_frontiers(input.source, input.target, run_options));
+            }};
+}
+
+}  // namespace counterpart::cli

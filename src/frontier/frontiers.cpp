@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/frontier/frontiers.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// A breadth-first search that can be repeated without clearing: a vertex is visited if its mark is this
+// round's.
+class LevelSearch {
+  public:
+    explicit LevelSearch(Index n_vertices) : mark_(at(n_vertices), 0) {}
+
+    // How many leading frontiers around `source` have the given sizes. Where others follow the last one and
+    // `prefix` is false, the last one does not count.
+    Index agreement(const Adjacency& adjacency, Index source, std::span<const Index> sizes, bool prefix) {
+        ++round_;
+        queue_.assign(1, source);
+        mark_[at(source)] = round_;
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k < sizes.size(); ++k) {
+            if (queue_.size() - begin != at(sizes[k])) return static_cast<Index>(k);
+            const std::size_t end = queue_.size();
+            const bool last = k + 1 == sizes.size();
+            if (last && prefix) break;
+            const std::size_t allowed = end + (last ? 0 : at(sizes[k + 1]));
+            for (; begin < end; ++begin) {
+                for (const Index w : adjacency.neighbors(queue_[begin])) {
+                    if (mark_[at(w)] == round_) continue;
+                    mark_[at(w)] = round_;
+                    queue_.push_back(w);
+                    if (queue_.size() > allowed) return static_cast<Index>(last ? k : k + 1);
+                }
+            }
+        }
+        return static_cast<Index>(sizes.size());
+    }
+
+  private:
+    std::vector<std::uint32_t> mark_;
+    std::uint32_t round_ = 0;
+    std::vector<Index> queue_;
+};
+
+}  // namespace
+
+Frontiers bfs_frontiers(const Adjacency& adjacency, Index source) {
+    if (source < 0 || source >= adjacency.n_vertices())
+        throw InvalidInput(fmt::format("the source vertex {} does not exist: vertices run from 0 to {}",
+                                       source, adjacency.n_vertices() - 1));
+    Frontiers frontiers;
+    frontiers.level.assign(at(adjacency.n_vertices()), Frontiers::unreached);
+    frontiers.level[at(source)] = 0;
+    frontiers.order.push_back(source);
+    frontiers.first = {0, 1};
+    while (frontiers.size(frontiers.count() - 1) > 0) {
+        const Index level = frontiers.count();
+        const std::size_t begin = at(frontiers.first[at(level) - 1]), end = frontiers.order.size();
+        for (std::size_t i = begin; i < end; ++i) {
+            for (const Index w : adjacency.neighbors(frontiers.order[i])) {
+                if (frontiers.level[at(w)] != Frontiers::unreached) continue;
+                frontiers.level[at(w)] = level;
+                frontiers.order.push_back(w);
+            }
+        }
+        std::sort(frontiers.order.begin() + static_cast<std::ptrdiff_t>(end), frontiers.order.end());
+        frontiers.first.push_back(static_cast<Index>(frontiers.order.size()));
+    }
+    frontiers.first.pop_back();
+    return frontiers;
+}
+
+std::vector<Index> frontier_sizes(const Frontiers& frontiers) {
+    std::vector<Index> sizes(at(frontiers.count()));
+    for (Index k = 0; k < frontiers.count(); ++k) sizes[at(k)] = frontiers.size(k);
+    return sizes;
+}
+
+SequenceMatches find_frontier_sequence(const Adjacency& adjacency, std::span<const Index> candidates,
+                                       std::span<const Index> sizes, bool prefix, int n_threads) {
+    std::vector<Index> agreement(candidates.size());
+    with_threads(n_threads, [&] {
+        parallel_for_with(
+            candidates.size(), 64, [&] { return LevelSearch(adjacency.n_vertices()); },
+            [&](LevelSearch& search, std::size_t i) {
+                agreement[i] = search.agreement(adjacency, candidates[i], sizes, prefix);
+            });
+    });
+    SequenceMatches matches;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        matches.longest_agreement = std::max(matches.longest_agreement, agreement[i]);
+        if (at(agreement[i]) == sizes.size()) matches.vertices.push_back(candidates[i]);
+    }
+    return matches;
+}
+
+FrontierLoops frontier_loops(const Adjacency& adjacency, const Frontiers& frontiers) {
+    FrontierLoops loops;
+    loops.of_vertex.assign(frontiers.level.size(), -1);
+    loops.order.reserve(frontiers.order.size());
+    loops.first = {0};
+    loops.first_loop = {0};
+    std::vector<Index> stack;
+    for (Index k = 0; k < frontiers.count(); ++k) {
+        for (const Index seed : frontiers[k]) {
+            if (loops.of_vertex[at(seed)] >= 0) continue;
+            const Index loop = loops.count();
+            const auto begin = static_cast<std::ptrdiff_t>(loops.order.size());
+            stack.assign(1, seed);
+            loops.of_vertex[at(seed)] = loop;
+            while (!stack.empty()) {
+                const Index v = stack.back();
+                stack.pop_back();
+                loops.order.push_back(v);
+                for (const Index w : adjacency.neighbors(v)) {
+                    if (frontiers.level[at(w)] != k || loops.of_vertex[at(w)] >= 0) continue;
+                    loops.of_vertex[at(w)] = loop;
+                    stack.push_back(w);
+                }
+            }
+            std::sort(loops.order.begin() + begin, loops.order.end());
+            loops.first.push_back(static_cast<Index>(loops.order.size()));
+        }
+        loops.first_loop.push_back(loops.count());
+    }
+    return loops;
+}
+
+}  // namespace counterpart

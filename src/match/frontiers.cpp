@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+#include "match/frontiers_component_match.hpp"
+#include "match/frontiers_components.hpp"
+#include "match/frontiers_side.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/match/frontiers.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+void require_usable(const TriangleMesh& source, const TriangleMesh& target, const FrontiersOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    if ((options.source < 0) != (options.target_source < 0))
+        throw InvalidInput("give both source vertices or none: one of each mesh");
+    if (options.source >= source.n_vertices() || options.target_source >= target.n_vertices())
+        throw InvalidInput(fmt::format(
+            "source vertex {} or target vertex {} does not exist: they run from 0 to "
+            "{} and {}",
+            options.source, options.target_source, source.n_vertices() - 1, target.n_vertices() - 1));
+    if (!(options.deformation_threshold >= 0) || !(options.edge_penalty >= 0))
+        throw InvalidInput("deformation_threshold and edge_penalty must be 0 or more");
+}
+
+std::vector<ComponentMesh> components_of(const TriangleMesh& mesh, const Adjacency& adjacency) {
+    return split_components(mesh, adjacency);
+}
+
+Index place_of(const ComponentMesh& component, Index vertex) {
+    const auto it = std::lower_bound(component.vertices.begin(), component.vertices.end(), vertex);
+    return it != component.vertices.end() && *it == vertex
+               ? static_cast<Index>(it - component.vertices.begin())
+               : -1;
+}
+
+// The share of each vertex's edges that its image keeps; isolated vertices have nothing to contradict them.
+Vector edge_confidence(const Adjacency& source, const Adjacency& target, const VertexMap& map) {
+    Vector confidence(map.source_size());
+    parallel_for(map.image.size(), 512, [&](std::size_t i) {
+        const auto v = static_cast<Index>(i);
+        const auto neighbors = source.neighbors(v);
+        const auto kept = std::count_if(neighbors.begin(), neighbors.end(), [&](Index w) {
+            return map[v] >= 0 && map[w] >= 0 && target.has_edge(map[v], map[w]);
+        });
+        confidence[v] = map[v] < 0 ? 0
+                        : neighbors.empty()
+                            ? 1
+                            : static_cast<double>(kept) / static_cast<double>(neighbors.size());
+    });
+    return confidence;
+}
+
+class FrontiersMatch {
+  public:
+    FrontiersMatch(const TriangleMesh& source, const TriangleMesh& target, const FrontiersOptions& options)
+        : source_(source), target_(target), options_(options) {}
+
+    FrontiersResult run() {
+        const Adjacency source_adjacency(source_), target_adjacency(target_);
+        require_same_counts(source_, source_adjacency, target_, target_adjacency);
+        source_parts_ = components_of(source_, source_adjacency);
+        target_parts_ = components_of(target_, target_adjacency);
+        const std::vector<ComponentGroup> groups = group_components(source_parts_, target_parts_);
+        result_.target_from_source = {std::vector<Index>(at(source_.n_vertices()), VertexMap::unmatched),
+                                      target_.n_vertices()};
+        watch_.lap("connectivity");
+        // Single components anchor those of which there are several alike.
+        for (const bool single : {true, false})
+            for (const ComponentGroup& group : groups)
+                if ((group.source.size() == 1) == single) match_group(group);
+        std::stable_sort(
+            result_.components.begin(), result_.components.end(),
+            [](const ComponentMatch& a, const ComponentMatch& b) { return a.n_vertices > b.n_vertices; });
+        result_.confidence = edge_confidence(source_adjacency, target_adjacency, result_.target_from_source);
+        watch_.lap("confidence");
+        result_.stages = watch_.stages();
+        return std::move(result_);
+    }
+
+  private:
+    void match_group(const ComponentGroup& group) {
+        std::vector<PlacedPair> pairs{{0, 0, {}}};
+        if (group.source.size() > 1)
+            pairs = place_components(source_, target_, source_parts_, target_parts_, group,
+                                     result_.target_from_source, given_pair(group));
+        watch_.lap("components");
+        for (const PlacedPair& pair : pairs) {
+            const ComponentMesh& ours = source_parts_[group.source[pair.source]];
+            const ComponentMesh& theirs = target_parts_[group.target[pair.target]];
+            const Index source = place_of(ours, options_.source),
+                        partner = place_of(theirs, options_.target_source);
+            if ((source < 0) != (partner < 0))
+                throw InvalidInput(
+                    fmt::format("source vertex {} and target vertex {} lie in components of different "
+                                "connectivity",
+                                options_.source, options_.target_source));
+            const ComponentImage match = match_component(ours, theirs, options_, {source, partner},
+                                                         pair.rotation ? &*pair.rotation : nullptr, watch_);
+            ComponentMatch summary = match.summary;
+            summary.n_interchangeable = static_cast<Index>(group.source.size());
+            summary.source = ours.vertices[at(summary.source)];
+            summary.target = theirs.vertices[at(summary.target)];
+            result_.components.push_back(summary);
+            result_.n_decided_by_position += match.n_decided_by_position;
+            for (std::size_t v = 0; v < match.image.size(); ++v)
+                if (match.image[v] >= 0)
+                    result_.target_from_source.image[at(ours.vertices[v])] =
+                        theirs.vertices[at(match.image[v])];
+        }
+    }
+
+    // The places in the group of the components that the given source vertices name.
+    std::pair<Index, Index> given_pair(const ComponentGroup& group) const {
+        std::pair<Index, Index> given{-1, -1};
+        for (std::size_t i = 0; i < group.source.size(); ++i) {
+            if (place_of(source_parts_[group.source[i]], options_.source) >= 0)
+                given.first = static_cast<Index>(i);
+            if (place_of(target_parts_[group.target[i]], options_.target_source) >= 0)
+                given.second = static_cast<Index>(i);
+        }
+        return given;
+    }
+
+    const TriangleMesh &source_, &target_;
+    const FrontiersOptions& options_;
+    std::vector<ComponentMesh> source_parts_, target_parts_;
+    FrontiersResult result_;
+    Stopwatch watch_;
+};
+
+}  // namespace
+
+FrontiersResult match_frontiers(const TriangleMesh& source, const TriangleMesh& target,
+                                const FrontiersOptions& options) {
+    require_usable(source, target, options);
+    return with_threads(options.n_threads, [&] { return FrontiersMatch(source, target, options).run(); });
+}
+
+}  // namespace counterpart

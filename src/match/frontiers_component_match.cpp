@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/frontiers_component_match.hpp"
+
+#include "base/parallel.hpp"
+#include "match/frontiers_side.hpp"
+
+#include <counterpart/align/rigid.hpp>
+#include <counterpart/base/errors.hpp>
+#include <counterpart/frontier/edge_splits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using Corners = std::array<Index, 3>;
+
+// Starting at the smallest corner, winding kept.
+Corners canonical(Index a, Index b, Index c) {
+    if (a <= b && a <= c) return {a, b, c};
+    return b <= a && b <= c ? Corners{b, c, a} : Corners{c, a, b};
+}
+
+std::vector<Corners> sorted_triangles(const TriangleMesh& mesh) {
+    std::vector<Corners> result;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        result.push_back(canonical(mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+// How well a map onto one of several alike source vertices fits: triangles lost or turned over, then edge
+// lengths (which bending hardly changes), then positions.
+struct Misfit {
+    Index lost_triangles = 0;
+    double lengths_and_positions = 0;
+    auto operator<=>(const Misfit&) const = default;
+};
+
+Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<Index>& image,
+              const Eigen::Matrix3d* rotation) {
+    const std::vector<Corners> triangles = sorted_triangles(b.mesh);
+    Misfit result;
+    for (Index t = 0; t < a.mesh.n_triangles(); ++t) {
+        const auto corner = [&](int c) { return image[at(a.mesh.triangles(t, c))]; };
+        if (!std::binary_search(triangles.begin(), triangles.end(),
+                                canonical(corner(0), corner(1), corner(2))))
+            ++result.lost_triangles;
+    }
+    double lengths = 0;
+    MatchedPairs pairs;
+    for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
+        if (image[at(v)] < 0) continue;
+        pairs.add(v, image[at(v)]);
+        for (const Index w : a.adjacency.neighbors(v)) {
+            if (image[at(w)] < 0) continue;
+            const double difference = (a.points.row(v) - a.points.row(w)).norm() -
+                                      (b.points.row(image[at(v)]) - b.points.row(image[at(w)])).norm();
+            lengths += difference * difference;
+        }
+    }
+    if (pairs.source.empty()) return result;
+    const Points x = rows_of(a.points, pairs.source), y = rows_of(b.points, pairs.target);
+    const Points moved = rotation != nullptr ? Points(x * rotation->transpose()) : kabsch(x, y)(x);
+    // Where the surroundings tell the rotation, position says as much as lengths; else it only breaks ties.
+    const double weight = rotation != nullptr ? 1 : 1e-3;
+    result.lengths_and_positions = lengths / std::max<Index>(1, 2 * a.adjacency.n_edges()) +
+                                   weight * (moved - y).rowwise().squaredNorm().mean();
+    return result;
+}
+
+SourceSelection sources_of(const ComponentMesh& source, const ComponentMesh& target,
+                           const FrontiersOptions& options, std::pair<Index, Index> given) {
+    if (given.first >= 0) return {given.first, {given.second}, 1, SourceTest::given};
+    SourceSelectionOptions selection_options;
+    selection_options.n_threads = options.n_threads;
+    SourceSelection selection = select_sources(source.mesh, source.adjacency, {}, target.mesh,
+                                               target.adjacency, {}, selection_options);
+    if (selection.targets.empty())
+        throw InvalidInput(
+            fmt::format("the connectivity differs: no target vertex has the frontiers of source vertex {}; "
+                        "the best agree up "
+                        "to level {} and differ at the next",
+                        source.vertices[at(selection.source)], selection.longest_agreement - 1));
+    return selection;
+}
+
+// Both sides seen from a pair of source vertices, with edges split if that is asked for.
+class SidePair {
+  public:
+    SidePair(const ComponentMesh& source, const ComponentMesh& target, Index s, Index t, bool split_edges) {
+        if (split_edges) {
+            split_a_.emplace(split_edges_for_depth(source.mesh, bfs_frontiers(source.adjacency, s)).mesh);
+            split_b_.emplace(split_edges_for_depth(target.mesh, bfs_frontiers(target.adjacency, t)).mesh);
+            adjacency_a_.emplace(*split_a_);
+            adjacency_b_.emplace(*split_b_);
+        }
+        const auto make = [&](bool is_source) {
+            if (is_source)
+                a_.emplace(split_edges ? *split_a_ : source.mesh,
+                           split_edges ? *adjacency_a_ : source.adjacency, s);
+            else
+                b_.emplace(split_edges ? *split_b_ : target.mesh,
+                           split_edges ? *adjacency_b_ : target.adjacency, t);
+        };
+        parallel_for(2, 1, [&](std::size_t i) { make(i == 0); });
+    }
+    const FrontierSide& a() const { return *a_; }
+    const FrontierSide& b() const { return *b_; }
+
+  private:
+    std::optional<TriangleMesh> split_a_, split_b_;
+    std::optional<Adjacency> adjacency_a_, adjacency_b_;
+    std::optional<FrontierSide> a_, b_;
+};
+
+}  // namespace
+
+ComponentImage match_component(const ComponentMesh& source, const ComponentMesh& target,
+                               const FrontiersOptions& options, std::pair<Index, Index> given,
+                               const Eigen::Matrix3d* rotation, Stopwatch& watch) {
+    if (source.vertices.size() == 1) return {{0}, 0, {1, 1, 0, 0, SourceTest::eccentric, 1}};
+    const SourceSelection selection = sources_of(source, target, options, given);
+    watch.lap("source");
+    ComponentImage best;
+    std::optional<Misfit> best_misfit;
+    for (const Index candidate : selection.targets) {
+        const SidePair sides(source, target, selection.source, candidate, options.edge_splits);
+        require_same_frontiers(sides.a(), sides.b());
+        watch.lap("frontiers");
+        SideMatch match = options.paper
+                              ? match_whole_frontiers(sides.a(), sides.b(), options)
+                              : match_frontiers_in_sequence(sides.a(), sides.b(), options, rotation);
+        std::optional<Misfit> fit;
+        if (selection.targets.size() > 1) fit = misfit(sides.a(), sides.b(), match.image, rotation);
+        watch.lap("matching");
+        if (best_misfit && !(*fit < *best_misfit)) continue;
+        best_misfit = fit;
+        // Vertices made by edge splits come last and are dropped.
+        match.image.resize(source.vertices.size());
+        for (Index& image : match.image)
+            if (image >= static_cast<Index>(target.vertices.size())) image = VertexMap::unmatched;
+        best = {std::move(match.image),
+                match.n_decided_by_position,
+                {static_cast<Index>(source.vertices.size()), sides.a().frontiers.count(), selection.source,
+                 candidate, selection.test, selection.n_alike}};
+    }
+    return best;
+}
+
+}  // namespace counterpart

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Sahillioglu and Yemez, "3D Correspondence by Breadth-First Search Frontiers", section 4: whole frontiers,
+// each on its own and so in parallel.
+#include "base/parallel.hpp"
+#include "match/frontiers_side.hpp"
+
+#include <counterpart/align/rigid.hpp>
+#include <counterpart/align/tps_rpm.hpp>
+
+#include <algorithm>
+
+namespace counterpart {
+namespace {
+
+// S: the sum of squared distances from each point to the closest one.
+double closest_sum(const Points& aligned, const Points& target) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < aligned.rows(); ++i)
+        sum += (target.rowwise() - aligned.row(i)).rowwise().squaredNorm().minCoeff();
+    return sum;
+}
+
+Points aligned_frontier(const Points& x, const Points& y, const FrontiersOptions& options) {
+    const Points centred = align_centroids(x, y)(x);
+    const double sum = closest_sum(centred, y);
+    const auto n = static_cast<double>(x.rows());
+    if (x.rows() < 4 || sum <= options.deformation_threshold * n) return centred;
+    TpsRpmOptions rpm;
+    rpm.initial_temperature = 10 * sum;
+    return tps_rpm(centred, y, rpm).transformed;
+}
+
+}  // namespace
+
+SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
+                                const FrontiersOptions& options) {
+    SideMatch match{std::vector<Index>(source.place.size(), VertexMap::unmatched)};
+    // Largest first, so that no thread is left with a large one at the end.
+    const Index n = source.frontiers.count();
+    std::vector<Index> by_size(at(n));
+    for (Index k = 0; k < n; ++k) by_size[at(k)] = k;
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](Index a, Index b) { return source.frontiers.size(a) > source.frontiers.size(b); });
+    parallel_for(by_size.size(), 1, [&](std::size_t i) {
+        const Index k = by_size[i];
+        const auto ours = source.frontiers[k], theirs = target.frontiers[k];
+        const Points x = rows_of(source.points, ours), y = rows_of(target.points, theirs);
+        const Points aligned = aligned_frontier(x, y, options);
+        const std::vector<Index> chosen =
+            pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing);
+        for (std::size_t v = 0; v < ours.size(); ++v)
+            if (chosen[v] >= 0) match.image[at(ours[v])] = theirs[at(chosen[v])];
+    });
+    match.n_decided_by_position = static_cast<Index>(source.frontiers.order.size()) - 1;
+    return match;
+}
+
+}  // namespace counterpart

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/frontier/frontiers.hpp>
+#include <counterpart/match/frontiers.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace counterpart {
+
+inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// One connected mesh as its source vertex sees it.
+struct FrontierSide {
+    FrontierSide(const TriangleMesh& mesh, const Adjacency& adjacency, Index source);
+
+    const TriangleMesh& mesh;
+    const Adjacency& adjacency;
+    Points points;  ///< in mean edge lengths, mean at the origin
+    Frontiers frontiers;
+    FrontierLoops loops;
+    std::vector<Index> place;              ///< per vertex: its place in loops.order
+    std::vector<std::uint64_t> tree_hash;  ///< subtree_hashes
+};
+
+/// Vertices of the source mesh's frontier with vertices of the target's, or part of them.
+struct MatchedPairs {
+    std::vector<Index> source, target;
+    void add(Index s, Index t) {
+        source.push_back(s);
+        target.push_back(t);
+    }
+};
+
+Points rows_of(const Points& points, std::span<const Index> rows);
+
+/// One target index per row, -1 for none.
+std::vector<Index> pair_up(const Matrix& cost, Pairing pairing);
+
+/// cost(i, j) of pairing source vertex i at aligned(i) with target vertex j: squared distance or the metric.
+Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::span<const Index> target,
+                    const Points& target_points, const PairingMetric& metric);
+
+/// Throws InvalidInput at the first frontier whose sizes, or numbers of loops, differ.
+void require_same_frontiers(const FrontierSide& source, const FrontierSide& target);
+
+/// Image of each vertex of `source` (connected, same connectivity), -1 for none.
+struct SideMatch {
+    std::vector<Index> image;
+    Index n_decided_by_position = 0;
+};
+/// As published.
+SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
+                                const FrontiersOptions& options);
+/// Level by level, each guided by those before. `prior`: rotation of the target against the source where it
+/// is known, null to find it.
+SideMatch match_frontiers_in_sequence(const FrontierSide& source, const FrontierSide& target,
+                                      const FrontiersOptions& options, const Eigen::Matrix3d* prior);
+
+}  // namespace counterpart
