@@ -96,6 +96,7 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
     const SplineSystem system(x);
     // A start below the extent of the points must not make the far ones outliers, hence `farthest`.
     Softassign assignment(y, x.rows(), {std::max(first, farthest), options.sinkhorn_iterations, 1e-3});
+    const auto n_points = static_cast<double>(x.rows());
     Matrix f = x;
     SplineSystem::Fit fit = system.fit(x, 1, 0);
     double temperature = first, moved = 0;
@@ -106,9 +107,9 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
         report(options.progress, std::min(1.0, step / n_steps));
         const double tolerated = options.tolerance * options.tolerance * temperature;
         for (int i = 0; i < options.iterations_per_temperature; ++i, ++iterations) {
-            assignment.update(f, temperature);                                           // (3), (4), (5)
-            fit = system.fit(assignment.means(f), options.bending_weight * temperature,  // (7)
-                             options.affine_weight * temperature);
+            assignment.update(f, temperature);  // (3), (4), (5)
+            fit = system.fit(assignment.means(f), options.bending_weight * n_points * temperature,
+                             options.affine_weight * n_points * temperature);
             moved = (fit.fitted - f).rowwise().squaredNorm().maxCoeff();
             f = fit.fitted;
             if (moved <= tolerated) break;

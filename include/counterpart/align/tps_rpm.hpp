@@ -15,8 +15,8 @@ struct TpsRpmOptions {
     double annealing_rate = 0.93;        ///< temperature factor per step, in (0, 1)
     int iterations_per_temperature = 5;  ///< alternations of assignment and spline, at least 1
     int sinkhorn_iterations = 10;        ///< rounds of normalization per assignment, at least 1
-    double bending_weight = 1;           ///< lambda_1 = bending_weight * temperature; > 0
-    double affine_weight = 0.01;         ///< lambda_2 = affine_weight * temperature; >= 0
+    double bending_weight = 1;           ///< lambda_1 = bending_weight * N * temperature; > 0
+    double affine_weight = 0.01;         ///< lambda_2 = affine_weight * N * temperature; >= 0
     /// Stop a temperature when no point moves by more than this part of sqrt(temperature), and the annealing
     /// when the assignment is hard and no longer changes. 0 = never stop early.
     double tolerance = 0.01;
