@@ -15,9 +15,9 @@ namespace {
 constexpr std::size_t lanes = 16;
 constexpr float tiny = 1e-30F;
 
-// exp(x) for x <= 0 to 2 units in the last place; below -87 it stays at the smallest normal number.
-[[gnu::always_inline]] inline float exp_negative(float x) {
-    x = x < -87.F ? -87.F : x;
+// exp(x) for x <= 0 to 2 units in the last place; 0 below -87, near the smallest normal number.
+[[gnu::always_inline]] inline float exp_negative(float exact) {
+    const float x = exact < -87.F ? -87.F : exact;
     constexpr float shift = 12582912.F;  // 1.5 * 2^23: adding it rounds to an integer
     const float rounded = x * 1.44269504F + shift;
     const float n = rounded - shift;
@@ -30,24 +30,16 @@ constexpr float tiny = 1e-30F;
     p = p * r + 5.0000001201e-1F;
     const float e = p * r * r + r + 1.F;
     const auto bits = (std::bit_cast<std::int32_t>(rounded) - std::bit_cast<std::int32_t>(shift) + 127) << 23;
-    return e * std::bit_cast<float>(bits);
+    return exact < -87.F ? 0.F : e * std::bit_cast<float>(bits);
 }
 
-// E for one source point; y: D rows of `stride` coordinates.
-COUNTERPART_MULTIVERSION void gaussian_row(const float* y, std::size_t stride, bool has_z, const float* f,
-                                           float exponent, float height, float* row) {
+// E for one source point; y: 3 rows of `stride` coordinates.
+COUNTERPART_MULTIVERSION void gaussian_row(const float* y, std::size_t stride, const float* f, float exponent,
+                                           float height, float* row) {
     const float fx = f[0], fy = f[1], fz = f[2];
-    const float *yx = y, *yy = y + stride, *yz = has_z ? y + 2 * stride : nullptr;
-    if (has_z) {
-        for (std::size_t j = 0; j < stride; ++j) {
-            const float dx = fx - yx[j], dy = fy - yy[j], dz = fz - yz[j];
-            row[j] = height * exp_negative(exponent * (dx * dx + dy * dy + dz * dz));
-        }
-    } else {
-        for (std::size_t j = 0; j < stride; ++j) {
-            const float dx = fx - yx[j], dy = fy - yy[j];
-            row[j] = height * exp_negative(exponent * (dx * dx + dy * dy));
-        }
+    for (std::size_t j = 0; j < stride; ++j) {
+        const float dx = fx - y[j], dy = fy - y[stride + j], dz = fz - y[2 * stride + j];
+        row[j] = height * exp_negative(exponent * (dx * dx + dy * dy + dz * dz));
     }
 }
 
@@ -72,6 +64,28 @@ COUNTERPART_MULTIVERSION float sinkhorn_round(const float* weights, std::size_t 
     return worst;
 }
 
+// Sums over j of w_j y_j and, last, of w_j, with w = row * v.
+COUNTERPART_MULTIVERSION void weighted_sums(const float* row, const float* v, const float* y,
+                                            std::size_t stride, float* sums) {
+    float x_lane[lanes] = {}, y_lane[lanes] = {}, z_lane[lanes] = {}, w_lane[lanes] = {};
+    for (std::size_t j = 0; j < stride; j += lanes) {
+        for (std::size_t k = 0; k < lanes; ++k) {
+            const float weight = row[j + k] * v[j + k];
+            w_lane[k] += weight;
+            x_lane[k] += weight * y[j + k];
+            y_lane[k] += weight * y[stride + j + k];
+            z_lane[k] += weight * y[2 * stride + j + k];
+        }
+    }
+    for (std::size_t d = 0; d < 4; ++d) sums[d] = 0;
+    for (std::size_t k = 0; k < lanes; ++k) {
+        sums[0] += x_lane[k];
+        sums[1] += y_lane[k];
+        sums[2] += z_lane[k];
+        sums[3] += w_lane[k];
+    }
+}
+
 }  // namespace
 
 Softassign::Softassign(const Matrix& target, Eigen::Index n_source, const SoftassignOptions& options)
@@ -80,7 +94,7 @@ Softassign::Softassign(const Matrix& target, Eigen::Index n_source, const Softas
       m_(static_cast<std::size_t>(target.rows())),
       stride_((m_ + lanes - 1) / lanes * lanes),
       dimension_(target.cols()),
-      target_(stride_ * static_cast<std::size_t>(target.cols()), 0.F),
+      target_(3 * stride_, 0.F),
       target_centre_(target.colwise().mean()),
       weights_(n_ * stride_),
       row_outlier_(n_),
@@ -88,6 +102,7 @@ Softassign::Softassign(const Matrix& target, Eigen::Index n_source, const Softas
       u_(n_),
       v_(stride_),
       column_sums_(stride_) {
+    std::fill_n(v_.begin(), m_, 1.F);
     for (Eigen::Index d = 0; d < dimension_; ++d)
         for (std::size_t j = 0; j < m_; ++j)
             target_[static_cast<std::size_t>(d) * stride_ + j] =
@@ -107,7 +122,7 @@ void Softassign::update(const Matrix& transformed, double temperature) {
         float point[3] = {};
         for (Eigen::Index d = 0; d < dimension_; ++d) point[d] = static_cast<float>(row[d]);
         float* weights = weights_.data() + i * stride_;
-        gaussian_row(target_.data(), stride_, dimension_ == 3, point, exponent, height, weights);
+        gaussian_row(target_.data(), stride_, point, exponent, height, weights);
         std::fill(weights + m_, weights + stride_, 0.F);
         row_outlier_[i] = outlier((row - target_centre_).squaredNorm());
     }
@@ -119,9 +134,6 @@ void Softassign::update(const Matrix& transformed, double temperature) {
         }
         col_outlier_[j] = outlier(squared);
     }
-    std::fill(u_.begin(), u_.end(), 0.F);
-    std::fill(v_.begin(), v_.end(), 0.F);
-    std::fill_n(v_.begin(), m_, 1.F);
     for (int round = 0; round < options_.max_sinkhorn; ++round) {
         const float worst = sinkhorn_round(weights_.data(), n_, stride_, row_outlier_.data(), v_.data(),
                                            u_.data(), column_sums_.data());
@@ -133,25 +145,12 @@ void Softassign::update(const Matrix& transformed, double temperature) {
 Matrix Softassign::means(const Matrix& fallback) const {
     Matrix result = fallback;
     for (std::size_t i = 0; i < n_; ++i) {
-        const float* row = weights_.data() + i * stride_;
-        float sum[4][lanes] = {};
-        for (std::size_t j = 0; j < stride_; j += lanes) {
-            for (std::size_t k = 0; k < lanes; ++k) {
-                const float weight = row[j + k] * v_[j + k];
-                sum[3][k] += weight;
-                for (Eigen::Index d = 0; d < dimension_; ++d)
-                    sum[d][k] += weight * target_[static_cast<std::size_t>(d) * stride_ + j + k];
-            }
-        }
-        double total = 0;
-        for (const float s : sum[3]) total += s;
+        float sums[4];
+        weighted_sums(weights_.data() + i * stride_, v_.data(), target_.data(), stride_, sums);
         // Less than this is rounding: the point is an outlier and stays where it is.
-        if (total * u_[i] < 1e-6) continue;
-        for (Eigen::Index d = 0; d < dimension_; ++d) {
-            double mean = 0;
-            for (const float s : sum[d]) mean += s;
-            result(static_cast<Eigen::Index>(i), d) = mean / total;
-        }
+        if (sums[3] * u_[i] < 1e-6F) continue;
+        for (Eigen::Index d = 0; d < dimension_; ++d)
+            result(static_cast<Eigen::Index>(i), d) = double{sums[d]} / double{sums[3]};
     }
     return result;
 }

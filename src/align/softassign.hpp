@@ -15,11 +15,12 @@ namespace counterpart {
 struct SoftassignOptions {
     double outlier_temperature = 1;  ///< T0: width and height of the two outlier Gaussians
     int max_sinkhorn = 10;           ///< rounds of row and column normalization
-    double tolerance = 1e-3;         ///< stop when no row sum is off by more
+    double tolerance = 0.01;         ///< stop when no row sum is off by more
 };
 
-/// Single precision, vectorized, no allocation per round. The matrix is kept as diag(u) E diag(v): Sinkhorn
-/// then only reads E, once per round.
+/// Single precision, vectorized, no allocation per update. Each update starts Sinkhorn from the scales of the
+/// one before, which are nearly right when points and temperature have changed a little. The matrix is kept
+/// as diag(u) E diag(v): Sinkhorn then only reads E, once per round.
 class Softassign {
   public:
     /// `target`: M x D, D = 2 or 3; `n_source` rows.
@@ -40,7 +41,7 @@ class Softassign {
     SoftassignOptions options_;
     std::size_t n_, m_, stride_;  // stride: m rounded up to whole vectors, padded with weight 0
     Eigen::Index dimension_;
-    std::vector<float> target_;  // D rows of `stride_`
+    std::vector<float> target_;  // 3 rows of `stride_`; z is 0 in 2D
     Eigen::RowVectorXd target_centre_;
     std::vector<float> weights_;  // E
     std::vector<float> row_outlier_, col_outlier_;

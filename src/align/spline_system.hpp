@@ -18,17 +18,20 @@ class SplineSystem {
     explicit SplineSystem(const Matrix& controls);
 
     struct Fit {
-        Matrix affine;   // (D + 1) x D
-        Matrix weights;  // K x D
-        Matrix fitted;   // K x D: the spline at the controls
+        Matrix affine;        // (D + 1) x D
+        Matrix coefficients;  // of the weights in the basis Q2 U
+        Matrix fitted;        // K x D: the spline at the controls
     };
     /// Least |Y - P A - Phi w|^2 + bending_weight trace(w' Phi w) + affine_weight |A - identity|^2.
     Fit fit(const Matrix& images, double bending_weight, double affine_weight) const;
+    /// K x D
+    Matrix weights(const Fit& fit) const { return basis_.transpose() * fit.coefficients; }
 
   private:
-    Matrix polynomial_;           // P, K x (D + 1)
-    Matrix basis_;                // Q2 U, K x (K - rank P)
-    Matrix kernel_basis_;         // Phi Q2 U
+    Eigen::RowVectorXd centre_;   // of the controls; the affine part is fitted about it
+    Matrix polynomial_;           // P = [1 controls - centre], K x (D + 1)
+    Matrix basis_;                // (Q2 U)', (K - rank P) x K
+    Matrix kernel_basis_;         // Phi Q2 U, K x (K - rank P)
     Vector bending_;              // S
     Matrix normal_;               // P' P
     Matrix polynomial_solution_;  // pseudo-inverse of P, for affine_weight = 0

@@ -33,9 +33,10 @@ void require_points(const Matrix& controls, const Matrix& images, double regular
 ThinPlateSpline::ThinPlateSpline(const Matrix& controls, const Matrix& images, double regularization)
     : controls_(controls) {
     require_points(controls, images, regularization);
-    const SplineSystem::Fit fit = SplineSystem(controls).fit(images, regularization, 0);
+    const SplineSystem system(controls);
+    const SplineSystem::Fit fit = system.fit(images, regularization, 0);
     affine_ = fit.affine;
-    weights_ = fit.weights;
+    weights_ = system.weights(fit);
     const double extent = (images.rowwise() - images.colwise().mean()).cwiseAbs().maxCoeff();
     if (regularization == 0 && (fit.fitted - images).cwiseAbs().maxCoeff() > 1e-3 * extent + 1e-12)
         throw InvalidInput(

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -67,16 +68,15 @@ struct Normalization {
 };
 
 // f(x) = centre + unit g((x - centre) / unit), written as a spline over the original controls.
-ThinPlateSpline in_input_units(const Matrix& source, const SplineSystem::Fit& fit, const Normalization& n) {
-    Matrix weights = fit.weights, affine = fit.affine;
-    affine.row(0) = n.unit * fit.affine.row(0) + n.centre - n.centre * fit.affine.bottomRows(source.cols());
+ThinPlateSpline in_input_units(const Matrix& source, Matrix affine, Matrix weights, const Normalization& n) {
+    affine.row(0) = n.unit * affine.row(0) + n.centre - n.centre * affine.bottomRows(source.cols());
     if (source.cols() == 2) {
         // r^2 log r of scaled distances is (R^2 log R - R^2 log unit) / unit^2 of the original ones; the
         // second term sums to a constant, because the weights have no sum and no first moment.
         weights /= n.unit;
         affine.row(0) -= std::log(n.unit) * (source.rowwise().squaredNorm().transpose() * weights);
     }
-    return {source, affine, weights};
+    return {source, std::move(affine), std::move(weights)};
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
 
     const SplineSystem system(x);
     // A start below the extent of the points must not make the far ones outliers, hence `farthest`.
-    Softassign assignment(y, x.rows(), {std::max(first, farthest), options.sinkhorn_iterations, 1e-3});
+    Softassign assignment(y, x.rows(), {std::max(first, farthest), options.sinkhorn_iterations});
     const auto n_points = static_cast<double>(x.rows());
     Matrix f = x;
     SplineSystem::Fit fit = system.fit(x, 1, 0);
@@ -118,7 +118,14 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
         if (hard || temperature * options.annealing_rate < last) break;
         temperature *= options.annealing_rate;
     }
-    TpsRpmResult result{in_input_units(source, fit, normalize), {}, assignment.matrix()};
+    if (hard) {
+        // Nothing is left to decide: the spline of the end follows at once.
+        fit = system.fit(assignment.means(f), options.bending_weight * n_points * last,
+                         options.affine_weight * n_points * last);
+        f = fit.fitted;
+    }
+    TpsRpmResult result{
+        in_input_units(source, fit.affine, system.weights(fit), normalize), {}, assignment.matrix()};
     result.transformed = (f * normalize.unit).rowwise() + normalize.centre;
     result.final_temperature = temperature * squared_unit;
     result.iterations = iterations;

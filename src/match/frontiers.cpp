@@ -31,10 +31,6 @@ void require_usable(const TriangleMesh& source, const TriangleMesh& target, cons
         throw InvalidInput("deformation_threshold and edge_penalty must be 0 or more");
 }
 
-std::vector<ComponentMesh> components_of(const TriangleMesh& mesh, const Adjacency& adjacency) {
-    return split_components(mesh, adjacency);
-}
-
 Index place_of(const ComponentMesh& component, Index vertex) {
     const auto it = std::lower_bound(component.vertices.begin(), component.vertices.end(), vertex);
     return it != component.vertices.end() && *it == vertex
@@ -67,8 +63,8 @@ class FrontiersMatch {
     FrontiersResult run() {
         const Adjacency source_adjacency(source_), target_adjacency(target_);
         require_same_counts(source_, source_adjacency, target_, target_adjacency);
-        source_parts_ = components_of(source_, source_adjacency);
-        target_parts_ = components_of(target_, target_adjacency);
+        source_parts_ = split_components(source_, source_adjacency);
+        target_parts_ = split_components(target_, target_adjacency);
         const std::vector<ComponentGroup> groups = group_components(source_parts_, target_parts_);
         result_.target_from_source = {std::vector<Index>(at(source_.n_vertices()), VertexMap::unmatched),
                                       target_.n_vertices()};
@@ -103,7 +99,7 @@ class FrontiersMatch {
                     fmt::format("source vertex {} and target vertex {} lie in components of different "
                                 "connectivity",
                                 options_.source, options_.target_source));
-            const ComponentImage match = match_component(ours, theirs, options_, {source, partner},
+            const ComponentImage match = match_component(ours, theirs, options_for(ours), {source, partner},
                                                          pair.rotation ? &*pair.rotation : nullptr, watch_);
             ComponentMatch summary = match.summary;
             summary.n_interchangeable = static_cast<Index>(group.source.size());
@@ -116,6 +112,19 @@ class FrontiersMatch {
                     result_.target_from_source.image[at(ours.vertices[v])] =
                         theirs.vertices[at(match.image[v])];
         }
+    }
+
+    // With progress counted over the vertices of all components.
+    FrontiersOptions options_for(const ComponentMesh& component) {
+        FrontiersOptions options = options_;
+        const double all = source_.n_vertices(), done = n_done_ / all;
+        const double share = static_cast<double>(component.vertices.size()) / all;
+        n_done_ += static_cast<double>(component.vertices.size());
+        if (options_.progress)
+            options.progress = [this, done, share](double part) {
+                return options_.progress(done + share * part);
+            };
+        return options;
     }
 
     // The places in the group of the components that the given source vertices name.
@@ -134,6 +143,7 @@ class FrontiersMatch {
     const FrontiersOptions& options_;
     std::vector<ComponentMesh> source_parts_, target_parts_;
     FrontiersResult result_;
+    double n_done_ = 0;
     Stopwatch watch_;
 };
 

@@ -8,6 +8,7 @@
 #include <counterpart/align/rigid.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/frontier/edge_splits.hpp>
+#include <counterpart/geodesic/critical_points.hpp>
 
 #include <algorithm>
 #include <array>
@@ -77,13 +78,25 @@ Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<In
     return result;
 }
 
+// The tips of a surface, the most prominent first; a small piece has no use for them.
+std::vector<Index> candidates_of(const ComponentMesh& component, const FrontiersOptions& options) {
+    constexpr std::size_t small = 200;
+    if (component.vertices.size() < small || component.mesh.n_triangles() == 0) return {};
+    CriticalPointOptions critical;
+    critical.n_bases = 16;  // the choice is verified, so a coarse sample will do
+    critical.n_threads = options.n_threads;
+    return critical_points(component.mesh, DistanceGraph(component.mesh), critical).vertices;
+}
+
 SourceSelection sources_of(const ComponentMesh& source, const ComponentMesh& target,
-                           const FrontiersOptions& options, std::pair<Index, Index> given) {
+                           const FrontiersOptions& options, std::pair<Index, Index> given, Stopwatch& watch) {
     if (given.first >= 0) return {given.first, {given.second}, 1, SourceTest::given};
+    const std::vector<Index> ours = candidates_of(source, options), theirs = candidates_of(target, options);
+    watch.lap("critical points");
     SourceSelectionOptions selection_options;
     selection_options.n_threads = options.n_threads;
-    SourceSelection selection = select_sources(source.mesh, source.adjacency, {}, target.mesh,
-                                               target.adjacency, {}, selection_options);
+    SourceSelection selection = select_sources(source.mesh, source.adjacency, ours, target.mesh,
+                                               target.adjacency, theirs, selection_options);
     if (selection.targets.empty())
         throw InvalidInput(
             fmt::format("the connectivity differs: no target vertex has the frontiers of source vertex {}; "
@@ -128,17 +141,18 @@ ComponentImage match_component(const ComponentMesh& source, const ComponentMesh&
                                const FrontiersOptions& options, std::pair<Index, Index> given,
                                const Eigen::Matrix3d* rotation, Stopwatch& watch) {
     if (source.vertices.size() == 1) return {{0}, 0, {1, 1, 0, 0, SourceTest::eccentric, 1}};
-    const SourceSelection selection = sources_of(source, target, options, given);
-    watch.lap("source");
+    const SourceSelection selection = sources_of(source, target, options, given, watch);
+    watch.lap("source selection");
     ComponentImage best;
     std::optional<Misfit> best_misfit;
+    FrontiersOptions run = options;
     for (const Index candidate : selection.targets) {
         const SidePair sides(source, target, selection.source, candidate, options.edge_splits);
         require_same_frontiers(sides.a(), sides.b());
         watch.lap("frontiers");
-        SideMatch match = options.paper
-                              ? match_whole_frontiers(sides.a(), sides.b(), options)
-                              : match_frontiers_in_sequence(sides.a(), sides.b(), options, rotation);
+        SideMatch match = options.paper ? match_whole_frontiers(sides.a(), sides.b(), run)
+                                        : match_frontiers_in_sequence(sides.a(), sides.b(), run, rotation);
+        run.progress = {};  // the others, if any, are tried in silence: the fraction must not fall
         std::optional<Misfit> fit;
         if (selection.targets.size() > 1) fit = misfit(sides.a(), sides.b(), match.image, rotation);
         watch.lap("matching");

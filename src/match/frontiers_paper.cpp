@@ -37,14 +37,12 @@ Points aligned_frontier(const Points& x, const Points& y, const FrontiersOptions
 SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
                                 const FrontiersOptions& options) {
     SideMatch match{std::vector<Index>(source.place.size(), VertexMap::unmatched)};
-    // Largest first, so that no thread is left with a large one at the end.
     const Index n = source.frontiers.count();
     std::vector<Index> by_size(at(n));
     for (Index k = 0; k < n; ++k) by_size[at(k)] = k;
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Index a, Index b) { return source.frontiers.size(a) > source.frontiers.size(b); });
-    parallel_for(by_size.size(), 1, [&](std::size_t i) {
-        const Index k = by_size[i];
+    const auto match_frontier = [&](Index k) {
         const auto ours = source.frontiers[k], theirs = target.frontiers[k];
         const Points x = rows_of(source.points, ours), y = rows_of(target.points, theirs);
         const Points aligned = aligned_frontier(x, y, options);
@@ -52,7 +50,15 @@ SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& 
             pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing);
         for (std::size_t v = 0; v < ours.size(); ++v)
             if (chosen[v] >= 0) match.image[at(ours[v])] = theirs[at(chosen[v])];
-    });
+    };
+    // In batches, between which progress is reported: largest first, so that no thread is left with a large
+    // one.
+    constexpr std::size_t batch = 32;
+    for (std::size_t begin = 0; begin < by_size.size(); begin += batch) {
+        report(options.progress, static_cast<double>(begin) / static_cast<double>(by_size.size()));
+        parallel_for(std::min(batch, by_size.size() - begin), 1,
+                     [&](std::size_t i) { match_frontier(by_size[begin + i]); });
+    }
     match.n_decided_by_position = static_cast<Index>(source.frontiers.order.size()) - 1;
     return match;
 }

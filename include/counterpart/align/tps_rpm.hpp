@@ -18,7 +18,8 @@ struct TpsRpmOptions {
     double bending_weight = 1;           ///< lambda_1 = bending_weight * N * temperature; > 0
     double affine_weight = 0.01;         ///< lambda_2 = affine_weight * N * temperature; >= 0
     /// Stop a temperature when no point moves by more than this part of sqrt(temperature), and the annealing
-    /// when the assignment is hard and no longer changes. 0 = never stop early.
+    /// when the assignment is hard and no longer changes (the spline is then fitted at the final
+    /// temperature). 0 = never stop early.
     double tolerance = 0.01;
     Progress progress{};
 };
