@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     "match": ["base", "mesh", "map", "numerics", "geodesic", "frontier", "align", "spectral", "descriptor"],
     "evaluation": ["base", "mesh", "map", "geodesic"],
     "transfer": ["base", "mesh", "map", "numerics", "align"],
+    "view": ["base", "mesh", "map"],
 }
 INCLUDE = re.compile(r'^\s*#include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|Eigen/\w+)$")

@@ -9,3 +9,4 @@ scripts/setup.sh
 cmake --preset release > /dev/null
 cmake --build --preset release
 ctest --preset release -j "$(nproc)"
+scripts/test_viewer.sh

@@ -17,5 +17,6 @@ void add_match(CLI::App& program);
 void add_align(CLI::App& program);
 void add_morph(CLI::App& program);
 void add_project(CLI::App& program);
+void add_view(CLI::App& program);
 
 }  // namespace counterpart::cli

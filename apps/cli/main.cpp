@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
     counterpart::cli::add_project(program);
     counterpart::cli::add_morph(program);
     counterpart::cli::add_align(program);
+    counterpart::cli::add_view(program);
     try {
         program.parse(argc, argv);
         return 0;

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+#
+# Checks that viewer/dist is what viewer/src builds to, then uses pages written by `counterpart view` in a browser.
+# Needs the built program (COUNTERPART, or build/release/counterpart). Installs Chromium and Node.js where missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+missing=()
+command -v chromium >/dev/null || missing+=(chromium)
+command -v node >/dev/null || missing+=(nodejs)
+command -v npm >/dev/null || missing+=(npm)
+if [ ${#missing[@]} -gt 0 ]; then
+  if [ "$(id -u)" = 0 ]; then sudo=(); else sudo=(sudo); fi
+  "${sudo[@]}" apt-get update -q
+  "${sudo[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+fi
+
+export COUNTERPART="${COUNTERPART:-$PWD/build/release/counterpart}"
+cd viewer
+npm ci
+committed=$(mktemp)
+trap 'rm -f "$committed"' EXIT
+cp dist/viewer.html "$committed"
+npm run build
+if ! cmp "$committed" dist/viewer.html; then
+  echo "viewer/dist/viewer.html was not what viewer/src builds to: commit the file that this run built" >&2
+  exit 1
+fi
+npm test

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace counterpart {
+
+/// RFC 4648, section 4, with padding.
+std::string to_base64(std::string_view bytes);
+
+}  // namespace counterpart

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+import type { MapData, SceneData } from "./scene_data";
+
+/** A map both ways round, with what can be said of it in a line. */
+export class Correspondence {
+  private readonly first: Uint32Array;
+  private readonly sources: Uint32Array;
+  readonly matched: number;
+  readonly covered: number;
+
+  constructor(
+    readonly map: MapData,
+    private readonly scene: SceneData,
+  ) {
+    const targetCount = scene.target.vertexCount;
+    this.first = new Uint32Array(targetCount + 1);
+    for (const image of map.image) if (image >= 0) this.first[image + 1]++;
+    let covered = 0;
+    for (let t = 0; t < targetCount; t++) {
+      if (this.first[t + 1] > 0) covered++;
+      this.first[t + 1] += this.first[t];
+    }
+    this.covered = covered;
+    this.matched = this.first[targetCount];
+    this.sources = new Uint32Array(this.matched);
+    const next = this.first.slice(0, targetCount);
+    map.image.forEach((image, v) => {
+      if (image >= 0) this.sources[next[image]++] = v;
+    });
+  }
+
+  /** The source vertices that map to a target vertex, in increasing order. */
+  sourcesOf(target: number): number[] {
+    return Array.from(this.sources.subarray(this.first[target], this.first[target + 1]));
+  }
+
+  /** The error below which 98 % of the known errors lie; 1 where all are 0 or none is known. */
+  errorScale(): number {
+    const known = (this.map.error ?? new Float32Array(0)).filter(Number.isFinite).sort();
+    return known[Math.floor(0.98 * (known.length - 1))] || known[known.length - 1] || 1;
+  }
+
+  summary(): string {
+    const sourceCount = this.scene.source.vertexCount;
+    const parts = [
+      `${this.matched.toLocaleString("en")} of ${sourceCount.toLocaleString("en")} vertices matched`,
+      `${((100 * this.covered) / this.scene.target.vertexCount).toFixed(1)} % of the target reached`,
+    ];
+    const error = this.map.error;
+    if (error) {
+      let sum = 0, known = 0, exact = 0;
+      for (const e of error) {
+        if (!Number.isFinite(e)) continue;
+        sum += e;
+        known++;
+        if (e === 0) exact++;
+      }
+      if (known > 0) {
+        parts.push(`mean error ${(sum / known).toFixed(2)} % of √area`);
+        parts.push(`${((100 * exact) / known).toFixed(1)} % exact`);
+      }
+    }
+    return parts.join(" · ");
+  }
+}

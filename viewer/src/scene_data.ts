@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+// What `counterpart view` put into the page: a small JSON description and one block of little-endian arrays
+// (src/view/viewer_page.cpp writes both).
+
+export interface MeshData {
+  name: string;
+  vertexCount: number;
+  triangleCount: number;
+  /** Centred at the middle of the box, divided by half its diagonal; xyz per vertex. */
+  positions: Float32Array;
+  triangles: Uint16Array | Uint32Array;
+}
+
+export interface MapData {
+  name: string;
+  /** Target vertex of each source vertex, -1 = unmatched. */
+  image: Int32Array;
+  /** Per source vertex in units of sqrt(target area) / 100, NaN = unknown; null where there is no truth at all. */
+  error: Float32Array | null;
+}
+
+export interface SceneData {
+  source: MeshData;
+  target: MeshData;
+  maps: MapData[];
+  truth: Int32Array | null;
+  baseVertex: number;
+  /** Quaternions x y z w. */
+  viewFromSource: number[];
+  sourceFromTarget: number[];
+}
+
+interface MeshJson {
+  name: string;
+  vertices: number;
+  triangles: number;
+  low: number[];
+  extent: number[];
+  position_offset: number;
+  triangle_offset: number;
+  triangle_bytes: number;
+}
+
+function elementText(id: string): string {
+  const element = document.getElementById(id);
+  if (!element?.textContent) throw new Error("This page holds no meshes: write it with 'counterpart view'.");
+  return element.textContent;
+}
+
+function decodeBase64(text: string): ArrayBuffer {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes.buffer;
+}
+
+function readMesh(json: MeshJson, buffer: ArrayBuffer): MeshData {
+  const fractions = new Uint16Array(buffer, json.position_offset, 3 * json.vertices);
+  const radius = 0.5 * Math.hypot(...json.extent) || 1;
+  const scale = json.extent.map((extent) => extent / 65535 / radius);
+  const shift = json.extent.map((extent) => extent / 2 / radius);
+  const positions = new Float32Array(fractions.length);
+  for (let i = 0; i < fractions.length; i++) positions[i] = fractions[i] * scale[i % 3] - shift[i % 3];
+  const Indices = json.triangle_bytes === 2 ? Uint16Array : Uint32Array;
+  return {
+    name: json.name,
+    vertexCount: json.vertices,
+    triangleCount: json.triangles,
+    positions,
+    triangles: new Indices(buffer, json.triangle_offset, 3 * json.triangles),
+  };
+}
+
+export function readScene(): SceneData {
+  const json = JSON.parse(elementText("scene"));
+  const text = document.getElementById("buffer");
+  const buffer = decodeBase64(elementText("buffer"));
+  text?.remove(); // megabytes that nobody reads again
+  const source = readMesh(json.source, buffer);
+  const target = readMesh(json.target, buffer);
+  return {
+    source,
+    target,
+    maps: json.maps.map((map: { name: string; image_offset: number; error_offset?: number }) => ({
+      name: map.name,
+      image: new Int32Array(buffer, map.image_offset, source.vertexCount),
+      error: map.error_offset === undefined ? null : new Float32Array(buffer, map.error_offset, source.vertexCount),
+    })),
+    truth: json.truth_offset === undefined ? null : new Int32Array(buffer, json.truth_offset, source.vertexCount),
+    baseVertex: json.base_vertex,
+    viewFromSource: json.view_from_source,
+    sourceFromTarget: json.source_from_target,
+  };
+}

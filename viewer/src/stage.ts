@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+import { PerspectiveCamera, Quaternion, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget } from "three";
+import type { Selection, Side } from "./modes";
+import type { Surface } from "./surface";
+
+/** How a mesh is looked at: turned about the vertical and the horizontal axis, shifted, and magnified. */
+export interface View {
+  yaw: number;
+  pitch: number;
+  zoom: number;
+  x: number;
+  y: number;
+}
+export const homeView = (): View => ({ yaw: 0.45, pitch: 0.18, zoom: 1, x: 0, y: 0 });
+
+export interface Rectangle {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+export interface ScreenPoint {
+  x: number;
+  y: number;
+  /** The surface faces the viewer there. */
+  facing: boolean;
+}
+
+const fieldOfView = 28;
+const xAxis = new Vector3(1, 0, 0);
+const yAxis = new Vector3(0, 1, 0);
+
+/** Two meshes on one canvas: beside each other, or one above the other where the canvas is taller than wide. */
+export class Stage {
+  readonly views: Record<Side, View> = { source: homeView(), target: homeView() };
+  private readonly renderer: WebGLRenderer;
+  private readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 50);
+  private readonly pixel = new WebGLRenderTarget(1, 1);
+  private width = 1;
+  private height = 1;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    readonly surfaces: Record<Side, Surface>,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setScissorTest(true);
+  }
+
+  resize(): void {
+    this.width = Math.max(1, this.canvas.clientWidth);
+    this.height = Math.max(1, this.canvas.clientHeight);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(this.width, this.height, false);
+  }
+
+  rectangle(side: Side): Rectangle {
+    const second = side === "target" ? 1 : 0;
+    return this.width >= this.height
+      ? { left: (second * this.width) / 2, top: 0, width: this.width / 2, height: this.height }
+      : { left: 0, top: (second * this.height) / 2, width: this.width, height: this.height / 2 };
+  }
+
+  sideAt(x: number, y: number): Side {
+    return (this.width >= this.height ? x >= this.width / 2 : y >= this.height / 2) ? "target" : "source";
+  }
+
+  /** Length of a pixel in the plane through the middle of the mesh, in the mesh's normalized units. */
+  unitsPerPixel(side: Side): number {
+    return (2 * this.halfHeight(side)) / this.rectangle(side).height;
+  }
+
+  draw(): void {
+    for (const side of ["source", "target"] as const) {
+      const { left, top, width, height } = this.rectangle(side);
+      const bottom = this.height - top - height;
+      this.aim(side);
+      this.renderer.setViewport(left, bottom, width, height);
+      this.renderer.setScissor(left, bottom, width, height);
+      this.renderer.render(this.surfaces[side].scene, this.camera);
+    }
+  }
+
+  project(side: Side, vertex: number): ScreenPoint {
+    this.aim(side);
+    const surface = this.surfaces[side];
+    const { left, top, width, height } = this.rectangle(side);
+    const point = surface.position(vertex, new Vector3()).applyMatrix4(surface.object.matrixWorld);
+    const toCamera = this.camera.position.clone().sub(point);
+    const normal = new Vector3().fromArray(surface.normals, 3 * vertex).applyQuaternion(surface.object.quaternion);
+    point.project(this.camera);
+    return {
+      x: left + ((point.x + 1) / 2) * width,
+      y: top + ((1 - point.y) / 2) * height,
+      facing: normal.dot(toCamera) > 0,
+    };
+  }
+
+  /** The vertex nearest to a point of the canvas, of the triangle seen there. */
+  pick(x: number, y: number): Selection | null {
+    const side = this.sideAt(x, y);
+    const corner = this.cornerAt(side, x, y);
+    if (corner === null) return null;
+    const { topology, data } = this.surfaces[side];
+    const screen = new Map<number, ScreenPoint>();
+    const at = (vertex: number): ScreenPoint => {
+      const known = screen.get(vertex) ?? this.project(side, vertex);
+      screen.set(vertex, known);
+      return known;
+    };
+    // The picture tells one corner of the triangle; the triangle is one of those around it.
+    let best = corner;
+    let bestDistance = Infinity;
+    for (let i = topology.first[corner]; i < topology.first[corner + 1]; i++) {
+      const t = 3 * topology.incident[i];
+      const corners = [data.triangles[t], data.triangles[t + 1], data.triangles[t + 2]];
+      if (!isInside(x, y, corners.map(at))) continue;
+      for (const vertex of corners) {
+        const p = at(vertex);
+        const distance = Math.hypot(p.x - x, p.y - y);
+        if (distance < bestDistance) [best, bestDistance] = [vertex, distance];
+      }
+    }
+    return { side, vertex: best };
+  }
+
+  /** Draws one pixel of vertex numbers and reads it: the cost does not depend on how the mesh is folded. */
+  private cornerAt(side: Side, x: number, y: number): number | null {
+    const { left, top, width, height } = this.rectangle(side);
+    this.aim(side);
+    this.camera.setViewOffset(width, height, x - left - 0.5, y - top - 0.5, 1, 1);
+    const surface = this.surfaces[side];
+    const scissor = this.renderer.getScissor(new Vector4());
+    this.renderer.setRenderTarget(this.pixel);
+    this.renderer.clear();
+    surface.whilePicking(() => this.renderer.render(surface.scene, this.camera));
+    const bytes = new Uint8Array(4);
+    this.renderer.readRenderTargetPixels(this.pixel, 0, 0, 1, 1, bytes);
+    this.renderer.setRenderTarget(null);
+    this.renderer.setScissor(scissor);
+    this.camera.clearViewOffset();
+    const id = new DataView(bytes.buffer).getUint32(0, true);
+    return id === 0 ? null : id - 1;
+  }
+
+  private halfHeight(side: Side): number {
+    const { width, height } = this.rectangle(side);
+    return (1.04 * Math.max(1, height / width)) / this.views[side].zoom;
+  }
+
+  private aim(side: Side): void {
+    const view = this.views[side];
+    const { width, height } = this.rectangle(side);
+    const distance = 1 / Math.sin((fieldOfView * Math.PI) / 360) + 0.5;
+    // Zoom narrows the field of view, so that the camera never enters the mesh.
+    this.camera.fov = (360 / Math.PI) * Math.atan(this.halfHeight(side) / distance);
+    this.camera.aspect = width / height;
+    this.camera.position.set(view.x, view.y, distance);
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    const surface = this.surfaces[side];
+    surface.object.quaternion
+      .setFromAxisAngle(xAxis, view.pitch)
+      .multiply(new Quaternion().setFromAxisAngle(yAxis, view.yaw))
+      .multiply(surface.upright);
+    surface.object.updateMatrixWorld();
+  }
+}
+
+function isInside(x: number, y: number, [a, b, c]: ScreenPoint[]): boolean {
+  const turn = (p: ScreenPoint, q: ScreenPoint) => (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
+  const [u, v, w] = [turn(a, b), turn(b, c), turn(c, a)];
+  return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, Quaternion, Scene, ShaderMaterial, Vector3 } from "three";
+import type { Field } from "./field";
+import { type Mode, modes } from "./modes";
+import type { MeshData } from "./scene_data";
+import { pickFragmentShader, pickVertexShader, surfaceFragmentShader, surfaceVertexShader } from "./shaders";
+import { Topology } from "./topology";
+
+/** One mesh on the graphics card, with what it is coloured by and where it morphs to. */
+export class Surface {
+  readonly topology: Topology;
+  readonly normals: Float32Array;
+  readonly scene = new Scene();
+  readonly object: Mesh;
+  private readonly geometry = new BufferGeometry();
+  private readonly morphUniform = { value: 0 };
+  private goal: Float32Array | null = null;
+  private readonly shading: ShaderMaterial;
+  private readonly picking: ShaderMaterial;
+
+  constructor(
+    readonly data: MeshData,
+    /** Turns the mesh upright, before any turning by hand. */
+    readonly upright: Quaternion,
+  ) {
+    this.topology = new Topology(data);
+    this.normals = this.topology.normals();
+    this.geometry.setAttribute("position", new BufferAttribute(data.positions, 3));
+    this.geometry.setAttribute("normal", new BufferAttribute(this.normals, 3));
+    this.geometry.setIndex(new BufferAttribute(data.triangles, 1));
+    this.setGoal(data.positions, this.normals);
+    this.shading = new ShaderMaterial({
+      glslVersion: GLSL3,
+      side: DoubleSide,
+      vertexShader: surfaceVertexShader,
+      fragmentShader: surfaceFragmentShader,
+      uniforms: {
+        morph: this.morphUniform,
+        mode: { value: 0 },
+        top: { value: 1 },
+        bandWidth: { value: 1 },
+        cells: { value: new Vector3(1, 1, 1) },
+      },
+    });
+    this.picking = new ShaderMaterial({
+      glslVersion: GLSL3,
+      side: DoubleSide,
+      vertexShader: pickVertexShader,
+      fragmentShader: pickFragmentShader,
+      uniforms: { morph: this.morphUniform },
+    });
+    this.object = new Mesh(this.geometry, this.shading);
+    this.object.frustumCulled = false;
+    this.scene.add(this.object);
+  }
+
+  /** Colours the mesh. `cells`: number of checker cells along each axis. */
+  show(mode: Mode, field: Field | null, top: number, bandWidth: number, cells: Vector3): void {
+    if (field) this.geometry.setAttribute("field", new BufferAttribute(field, 4));
+    const uniforms = this.shading.uniforms;
+    uniforms.mode.value = modes.indexOf(mode);
+    uniforms.top.value = top;
+    uniforms.bandWidth.value = bandWidth;
+    uniforms.cells.value = cells;
+  }
+
+  /** Where the vertices are at the end of the morph. */
+  setGoal(positions: Float32Array, normals: Float32Array): void {
+    this.goal = positions;
+    this.geometry.setAttribute("goal", new BufferAttribute(positions, 3));
+    this.geometry.setAttribute("goalNormal", new BufferAttribute(normals, 3));
+  }
+
+  set morph(amount: number) {
+    this.morphUniform.value = amount;
+  }
+
+  /** Where a vertex is now, morph included, in the mesh's frame. */
+  position(vertex: number, result: Vector3): Vector3 {
+    result.fromArray(this.data.positions, 3 * vertex);
+    const amount = this.morphUniform.value;
+    if (amount > 0 && this.goal) result.lerp(scratch.fromArray(this.goal, 3 * vertex), amount);
+    return result;
+  }
+
+  /** Runs `draw` with vertex numbers in place of colours. */
+  whilePicking(draw: () => void): void {
+    this.object.material = this.picking;
+    draw();
+    this.object.material = this.shading;
+  }
+}
+
+const scratch = new Vector3();

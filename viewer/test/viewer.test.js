@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+// Opens pages that `counterpart view` wrote and uses them as a person would.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { launch, open } from "./browser.js";
+import { program, writePage, writePair } from "./pair.js";
+
+const modes = ["colours", "checker", "error", "frontiers", "plain"];
+const pair = writePair(70, 32);
+const screenshots = process.env.SCREENSHOTS ?? join(pair.folder, "screenshots");
+mkdirSync(screenshots, { recursive: true });
+
+let browser;
+let file;
+before(async () => {
+  browser = await launch();
+  file = writePage(pair, ["truth.txt", "worse.txt"], "--truth", join(pair.folder, "truth.txt"));
+});
+after(() => browser?.close());
+
+const answer = (page) => page.locator("#answer").innerText();
+const highlighted = (page) => page.evaluate(() => window.counterpart.highlighted());
+const position = (page, side, vertex) =>
+  page.evaluate(([side, vertex]) => window.counterpart.screenPosition(side, vertex), [side, vertex]);
+
+/** A vertex of that side that the mouse finds, and where. Vertices on the far side are hidden by others. */
+async function hoverVisible(page, side, accept = () => true) {
+  for (let vertex = 5; vertex < pair.count; vertex += 37) {
+    if (!accept(vertex)) continue;
+    const at = await position(page, side, vertex);
+    if (!at.facing) continue;
+    await page.mouse.move(at.x, at.y);
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    if ((await highlighted(page))[side].includes(vertex)) return { vertex, at };
+  }
+  return assert.fail("no vertex can be hovered");
+}
+
+/** Mean difference of two PNG screenshots' bytes would need a decoder; equal pictures have equal bytes. */
+async function stagePicture(page, name) {
+  return page.screenshot({ path: join(screenshots, `${name}.png`) });
+}
+
+/** Colour of a pixel of the overlay. */
+const overlayPixel = (page, at) =>
+  page.evaluate(({ x, y }) => {
+    const canvas = document.getElementById("overlay");
+    const box = canvas.getBoundingClientRect();
+    const scale = canvas.width / box.width;
+    return [...canvas.getContext("2d").getImageData((x - box.left) * scale, (y - box.top) * scale, 1, 1).data];
+  }, at);
+
+test("a hovered source vertex lights up its counterpart", async () => {
+  const { page, context, complaints, requests } = await open(browser, file);
+  const { vertex } = await hoverVisible(page, "source");
+  assert.deepEqual(await highlighted(page), { source: [vertex], target: [pair.truth[vertex]] });
+  assert.match(await answer(page), new RegExp(`target vertex ${pair.truth[vertex]}\\b.*exact`));
+  assert.equal(await page.inputValue("#vertex"), String(vertex));
+  const marker = await overlayPixel(page, await position(page, "target", pair.truth[vertex]));
+  assert.equal(marker[0], 255, `the counterpart's marker is drawn: ${marker}`);
+  assert.ok(marker[3] > 0);
+  await stagePicture(page, "hover");
+  await page.mouse.move(2, 2);
+  assert.deepEqual(await highlighted(page), { source: [], target: [] });
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(requests.filter((url) => !url.startsWith("file:") && !url.startsWith("data:")), []);
+  await context.close();
+});
+
+test("a hovered target vertex lights up the source vertices that map to it", async () => {
+  const { page, context } = await open(browser, file);
+  const { vertex } = await hoverVisible(page, "target");
+  const source = pair.truth.indexOf(vertex);
+  assert.deepEqual(await highlighted(page), { source: [source], target: [vertex] });
+  assert.match(await answer(page), new RegExp(`Target vertex ${vertex}\\b.*source vertex ${source}\\b`));
+  await context.close();
+});
+
+test("a click selects, Escape lets go, and a number typed in selects too", async () => {
+  const { page, context } = await open(browser, file);
+  const { vertex, at } = await hoverVisible(page, "source");
+  await page.mouse.click(at.x, at.y);
+  await page.mouse.move(2, 2);
+  assert.deepEqual((await highlighted(page)).source, [vertex]);
+  await page.locator("#meshes").press("Escape");
+  assert.deepEqual((await highlighted(page)).source, []);
+  await page.fill("#vertex", "17");
+  assert.deepEqual(await highlighted(page), { source: [17], target: [pair.truth[17]] });
+  await page.fill("#vertex", String(pair.count));
+  assert.deepEqual((await highlighted(page)).source, [17], "a number that is no vertex selects nothing");
+  await context.close();
+});
+
+test("every mode looks different, on both meshes, without complaint", async () => {
+  const { page, context, complaints } = await open(browser, file);
+  await page.selectOption("#map", "1");
+  const seen = new Set();
+  for (const mode of modes) {
+    await page.locator(`#modes input[value=${mode}]`).check();
+    await page.waitForTimeout(50);
+    seen.add((await page.locator("#meshes").screenshot({ path: join(screenshots, `${mode}.png`) })).toString("base64"));
+  }
+  assert.equal(seen.size, modes.length);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("several maps: the list switches, and errors and unmatched vertices are told", async () => {
+  const { page, context } = await open(browser, file);
+  assert.deepEqual(await page.locator("#map option").allInnerTexts(), ["truth", "worse"]);
+  assert.match(await page.locator("#stats").innerText(), /100\.0 % exact/);
+  await page.selectOption("#map", "1");
+  assert.doesNotMatch(await page.locator("#stats").innerText(), /100\.0 % exact/);
+  await page.fill("#vertex", "14");
+  assert.deepEqual((await highlighted(page)).target, [pair.worse[14]]);
+  assert.match(await answer(page), new RegExp(`error [0-9.]+ % of √area · truth ${pair.truth[14]}\\b`));
+  await page.fill("#vertex", "3");
+  assert.deepEqual(await highlighted(page), { source: [3], target: [] });
+  assert.match(await answer(page), /target vertex none/);
+  await context.close();
+});
+
+test("lines and the morph change the picture; the source's vertices move to their counterparts", async () => {
+  const { page, context } = await open(browser, file);
+  const plain = await stagePicture(page, "without_lines");
+  await page.locator("#lines").fill("100");
+  const lines = await stagePicture(page, "lines");
+  assert.notDeepEqual(lines, plain);
+  await page.locator("#lines").fill("0");
+  const before = await position(page, "source", 100);
+  await page.locator("#morph").fill("100");
+  const halfWidth = (await page.locator("#meshes").boundingBox()).width / 2;
+  const morphed = await position(page, "source", 100);
+  const counterpart = await position(page, "target", pair.truth[100]);
+  assert.ok(Math.hypot(morphed.x - before.x, morphed.y - before.y) > 1);
+  assert.ok(Math.hypot(morphed.x + halfWidth - counterpart.x, morphed.y - counterpart.y) < 1, "at its counterpart");
+  await stagePicture(page, "morph");
+  await context.close();
+});
+
+test("views are linked until they are not; the keyboard turns them", async () => {
+  const { page, context } = await open(browser, file);
+  const both = async () => [await position(page, "source", 9), await position(page, "target", 9)];
+  const moved = (a, b) => a.map((p, i) => Math.hypot(p.x - b[i].x, p.y - b[i].y) > 1);
+  const start = await both();
+  await page.locator("#meshes").focus();
+  await page.keyboard.press("ArrowRight");
+  const turned = await both();
+  assert.deepEqual(moved(start, turned), [true, true]);
+  await page.locator("#linked").uncheck();
+  await page.mouse.move(300, 300);
+  await page.mouse.down();
+  await page.mouse.move(380, 330, { steps: 4 });
+  await page.mouse.up();
+  assert.deepEqual(moved(turned, await both()), [true, false]);
+  await page.locator("#reset").click();
+  assert.deepEqual(moved(start, await both()), [false, false]);
+  await context.close();
+});
+
+test("every control is reached by Tab and has a name", async () => {
+  const { page, context } = await open(browser, file);
+  const reached = [];
+  for (let i = 0; i < 12; i++) {
+    await page.keyboard.press("Tab");
+    const item = await page.evaluate(() => {
+      const active = document.activeElement;
+      const name = active.getAttribute("aria-label") ?? active.labels?.[0]?.innerText ?? active.innerText;
+      return { id: active.id || active.name, name };
+    });
+    if (item.id) reached.push(item);
+  }
+  const ids = reached.map((item) => item.id);
+  for (const id of ["map", "meshes", "vertex", "mode", "lines", "morph", "linked", "reset"])
+    assert.ok(ids.includes(id), `${id} is reached: ${ids}`);
+  assert.ok(reached.every((item) => item.name?.trim()), JSON.stringify(reached));
+  await context.close();
+});
+
+test("on a phone, dark: everything is on the screen, a tap selects", async () => {
+  const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true, colorScheme: "dark" };
+  const { page, context, complaints } = await open(browser, file, phone);
+  const size = await page.evaluate(() => ({
+    overflow: document.documentElement.scrollWidth - window.innerWidth,
+    stage: document.getElementById("stage").clientHeight,
+    background: getComputedStyle(document.body).backgroundColor,
+  }));
+  assert.ok(size.overflow <= 0, `nothing sticks out sideways (${size.overflow})`);
+  assert.ok(size.stage > 350, `the meshes have room (${size.stage})`);
+  const light = await open(browser, file);
+  assert.notEqual(size.background, await light.page.evaluate(() => getComputedStyle(document.body).backgroundColor));
+  await light.context.close();
+  const { at, vertex } = await hoverVisible(page, "source");
+  await page.mouse.move(2, 2);
+  await page.touchscreen.tap(at.x, at.y);
+  assert.deepEqual(await highlighted(page), { source: [vertex], target: [pair.truth[vertex]] });
+  await stagePicture(page, "phone_dark");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("without the truth the error mode is off", async () => {
+  const other = writePair(12, 9);
+  const { page, context } = await open(browser, writePage(other, ["truth.txt"]));
+  assert.ok(await page.locator("#modes input[value=error]").isDisabled());
+  assert.ok(await page.locator("#map-field").isHidden());
+  await context.close();
+});
+
+test("a map that does not fit is an error, and nothing is written", () => {
+  const other = writePair(12, 9);
+  const output = join(other.folder, "none.html");
+  const run = (map, ...options) =>
+    spawnSync(program, ["view", join(other.folder, "source.obj"), join(other.folder, "target.obj"), "--map", map, "-o", output, ...options], { encoding: "utf8" });
+  const wrong = run(join(pair.folder, "truth.txt"));
+  assert.equal(wrong.status, 1);
+  assert.match(wrong.stderr, /^error: .*truth\.txt.*2240 entries.*108 vertices/);
+  const truth = run(join(other.folder, "truth.txt"), "--truth", join(pair.folder, "truth.txt"));
+  assert.equal(truth.status, 1);
+  assert.ok(!existsSync(output));
+});
+
+test("names cannot break out of the page", async () => {
+  const other = writePair(12, 9);
+  const name = "<script>alert(1)<";
+  const map = join(other.folder, `${name}.txt`);
+  execFileSync("cp", [join(other.folder, "truth.txt"), map]);
+  const { page, context, complaints } = await open(browser, writePage(other, [`${name}.txt`, "worse.txt"]));
+  assert.equal((await page.locator("#map option").allInnerTexts())[0], name);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("a large pair: size and times", async () => {
+  const big = writePair(400, 250);
+  const page = writePage(big, ["truth.txt"]);
+  const opened = await open(browser, page);
+  const frame = await opened.page.evaluate(() => {
+    const times = Array.from({ length: 9 }, () => window.counterpart.measureFrame());
+    return times.sort((a, b) => a - b)[4];
+  });
+  const megabytes = statSync(page).size / 1e6;
+  console.log(JSON.stringify({ benchmark: "viewer", vertices: big.count, megabytes, open_ms: Math.round(opened.milliseconds), frame_and_pick_ms: frame }));
+  assert.ok(megabytes < 20);
+  assert.deepEqual(opened.complaints, []);
+  await opened.context.close();
+});
