@@ -52,4 +52,7 @@ echo "3. Which vertex of the target is each vertex of the source?"
 
 echo "4. Compared with the truth, which the matcher did not see:"
 "$counterpart" evaluate "$folder/source.off" "$folder/target.off" "$folder/map.txt" --truth "$folder/truth.txt" 2>&1 | sed 's/^/     /'
+echo "5. A page that shows both meshes and the map; open it in a browser:"
+"$counterpart" view "$folder/source.off" "$folder/target.off" --map "$folder/map.txt" --truth "$folder/truth.txt" \
+  -o "$folder/view.html" 2>&1 | sed 's/^/     /'
 echo "All files are in $folder."
