@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Exact matching of a mesh, and of its subdivisions, against themselves shuffled; and the canonical labelling
+// of bliss on the same meshes. One JSON line per measurement.
+//
+//   exact [MESH] [--subdivisions N] [--repeats N] [--bliss-up-to V]
+#include <counterpart/io/mesh_file.hpp>
+#include <counterpart/match/exact.hpp>
+#include <counterpart/mesh/adjacency.hpp>
+#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/subdivide.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <bliss/graph.hh>
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Seconds {
+    double wall, cpu;
+};
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+template <class Work>
+Seconds median_seconds(int repeats, const Work& work) {
+    std::vector<double> wall, cpu;
+    for (int i = 0; i < repeats; ++i) {
+        const auto start = Clock::now();
+        const double cpu_start = cpu_seconds();
+        work();
+        wall.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+        cpu.push_back(cpu_seconds() - cpu_start);
+    }
+    std::sort(wall.begin(), wall.end());
+    std::sort(cpu.begin(), cpu.end());
+    return {wall[wall.size() / 2], cpu[cpu.size() / 2]};
+}
+
+// In MiB; Linux lets a process set its peak back to what it holds now.
+double memory(const char* field) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == field && status >> word) return std::stod(word) / 1024;
+    return 0;
+}
+void reset_peak() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+bliss::Graph bliss_graph(const TriangleMesh& mesh) {
+    bliss::Graph graph(static_cast<unsigned>(mesh.n_vertices()));
+    const Adjacency adjacency(mesh);
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        for (const Index w : adjacency.neighbors(v))
+            if (v < w) graph.add_edge(static_cast<unsigned>(v), static_cast<unsigned>(w));
+    return graph;
+}
+
+void measure(const std::string& name, const TriangleMesh& mesh, int repeats, Index bliss_up_to) {
+    const ShuffleResult target = shuffle(mesh, 1);
+    const double before = memory("VmRSS:");
+    reset_peak();
+    ExactResult result = match_exact(mesh, target.mesh);
+    const double peak = memory("VmHWM:") - before;
+    const bool right = result.identical && result.target_from_source.image == target.shuffled_from_original;
+    const Seconds ours = median_seconds(repeats, [&] { result = match_exact(mesh, target.mesh); });
+    fmt::print(
+        "{{\"benchmark\": \"exact\", \"mesh\": \"{}\", \"vertices\": {}, \"triangles\": {}, \"threads\": 1, "
+        "\"repeats\": {}, \"median_seconds\": {:.6f}, \"median_cpu_seconds\": {:.6f}, "
+        "\"nanoseconds_per_triangle\": {:.1f}, "
+        "\"mebibytes_beyond_meshes\": {:.1f}, \"all_right\": {}, \"automorphisms\": \"{}\"}}\n",
+        name, mesh.n_vertices(), mesh.n_triangles(), repeats, ours.wall, ours.cpu,
+        1e9 * ours.cpu / mesh.n_triangles(), peak, right, to_string(result.automorphisms));
+    if (mesh.n_vertices() > bliss_up_to) return;
+    // The peer's whole job: a labelling of each mesh's graph; equal labels are partners.
+    const Seconds peer = median_seconds(repeats, [&] {
+        for (const TriangleMesh* side : {&mesh, &target.mesh}) {
+            bliss::Graph graph = bliss_graph(*side);
+            bliss::Stats stats;
+            graph.canonical_form(stats, nullptr, nullptr);
+        }
+    });
+    fmt::print(
+        "{{\"benchmark\": \"exact\", \"peer\": \"bliss\", \"mesh\": \"{}\", \"vertices\": {}, \"threads\": "
+        "1, "
+        "\"repeats\": {}, \"median_seconds\": {:.6f}, \"median_cpu_seconds\": {:.6f}, \"times_ours\": "
+        "{:.1f}}}\n",
+        name, mesh.n_vertices(), repeats, peer.wall, peer.cpu, peer.cpu / ours.cpu);
+}
+
+}  // namespace
+}  // namespace counterpart
+
+int main(int argc, char** argv) {
+    using namespace counterpart;
+    std::string file;
+    int subdivisions = 3, repeats = 5;
+    Index bliss_up_to = 100'000;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument = argv[i];
+        if (argument == "--subdivisions" && i + 1 < argc)
+            subdivisions = std::stoi(argv[++i]);
+        else if (argument == "--repeats" && i + 1 < argc)
+            repeats = std::stoi(argv[++i]);
+        else if (argument == "--bliss-up-to" && i + 1 < argc)
+            bliss_up_to = std::stoi(argv[++i]);
+        else
+            file = argument;
+    }
+    TriangleMesh mesh = file.empty() ? make_icosphere(5) : read_mesh(file).mesh;
+    const std::string name = file.empty() ? "icosphere" : file;
+    for (int level = 0; level <= subdivisions; ++level) {
+        if (level > 0) mesh = subdivide(mesh);
+        measure(name, mesh, repeats, bliss_up_to);
+    }
+}

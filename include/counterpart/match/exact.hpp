@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpart {
+
+struct ExactOptions {
+    /// Let geometry also choose among matches that turn every island over. They are used without this where
+    /// nothing else fits (the target's winding is reversed).
+    bool allow_mirror = false;
+    /// First weld vertices of each mesh that are no further apart than this, in mesh units; negative: no
+    /// welding. Every duplicate gets a partner of its own where the corners tell.
+    double weld_distance = -1;
+    /// How many of the other matches that a symmetric mesh has to return, best first; at least 0.
+    Index max_alternatives = 0;
+};
+
+/// How many ways there are.
+struct Count {
+    double log10 = 0;                     ///< of the number; -infinity for none
+    std::optional<std::uint64_t> number;  ///< absent from 2^64 on
+    bool is_lower_bound = false;          ///< the search was cut short: there may be more
+};
+/// "12", "about 10^35659", "at least 4096".
+std::string to_string(const Count& count);
+
+/// Islands of the source with the same connectivity: only geometry tells which is which.
+struct EqualIslands {
+    Index n_triangles = 0;              ///< of each island
+    std::vector<Index> source, target;  ///< smallest vertex of each island; target[i] is source[i]'s partner
+};
+
+/// Which way the connectivity was walked.
+enum class ExactPath {
+    surface,  ///< every edge has one or two triangles: islands are matched one by one
+    patches,  ///< cut open along non-manifold edges or vertices; patches are matched so that what they share
+              ///< agrees
+};
+
+struct ExactResult {
+    /// The two meshes have the same connectivity: only then is anything below meaningful.
+    bool identical = false;
+    /// Where not identical: the first difference found, as a sentence.
+    std::string difference;
+
+    VertexMap target_from_source;
+    /// For every triangle and corner of the source, 3 * triangle + corner of the target.
+    Triangles target_corner_from_source;
+
+    ExactPath path = ExactPath::surface;
+    Index n_islands = 0;  ///< pieces connected through manifold edges
+    std::vector<EqualIslands> interchangeable;
+    Count automorphisms;                  ///< of the source, orientation-preserving, with the identity
+    Count mirror_automorphisms;           ///< of the source, orientation-reversing
+    Index reversed_triangles = 0;         ///< wound the other way round in the target
+    bool winding_reversed = false;        ///< all of them: the target's winding is reversed as a whole
+    bool mirrored = false;                ///< a mirror match was chosen, which only allow_mirror permits
+    std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
+
+    /// Root mean squares, in the target's units, after scaling to the target's mean edge length and after the
+    /// best similarity.
+    double length_difference = 0, rigid_distance = 0;
+    std::vector<std::string> notices;  ///< all of the above that a person should know, as sentences
+};
+
+/// Matches meshes with the same connectivity whatever their numbering, winding, pose, genus, borders and
+/// number of pieces. Islands are taken as combinatorial maps: an isomorphism is fixed by the image of one
+/// half-edge, chosen of the rarest colour, and checked by a simultaneous walk. Where symmetry or equal
+/// islands leave a choice, edge lengths make it first, then distance after the best similarity. Isolated
+/// vertices are paired by position. O(V + F) unless most walks fail late. Throws InvalidInput for invalid
+/// meshes, and NumericalError where patches of a non-manifold mesh fit in more ways than can be searched.
+ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target,
+                        const ExactOptions& options = {});
+
+}  // namespace counterpart

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/disguise.hpp"
+#include "support/edits.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/random.hpp>
+#include <counterpart/match/exact.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+// Every source triangle lies on a target triangle, corner by corner, each used once.
+void expect_isomorphism(const TriangleMesh& source, const TriangleMesh& target, const ExactResult& result) {
+    ASSERT_TRUE(result.identical) << result.difference;
+    std::vector<bool> hit(static_cast<std::size_t>(target.n_vertices()), false),
+        used(static_cast<std::size_t>(target.n_triangles()), false);
+    for (const Index w : result.target_from_source.image) {
+        ASSERT_GE(w, 0);
+        EXPECT_FALSE(hit[static_cast<std::size_t>(w)]) << "target vertex " << w << " is taken twice";
+        hit[static_cast<std::size_t>(w)] = true;
+    }
+    for (Index t = 0; t < source.n_triangles(); ++t) {
+        const Index u = result.target_corner_from_source(t, 0) / 3;
+        EXPECT_FALSE(used[static_cast<std::size_t>(u)]);
+        used[static_cast<std::size_t>(u)] = true;
+        for (int c = 0; c < 3; ++c) {
+            const Index corner = result.target_corner_from_source(t, c);
+            ASSERT_EQ(corner / 3, u);
+            EXPECT_EQ(result.target_from_source[source.triangles(t, c)], target.triangles(u, corner % 3));
+        }
+    }
+}
+
+// A closed surface without symmetry of the connectivity.
+TriangleMesh lopsided() { return test::with_flipped_edges(make_icosphere(3), 40, 7).mesh; }
+
+TriangleMesh with_reversed_winding(TriangleMesh mesh, Index every) {
+    for (Index t = 0; t < mesh.n_triangles(); t += every)
+        std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
+    return mesh;
+}
+
+TEST(MatchExact, RefusesInvalidMeshesAndOptions) {
+    EXPECT_THROW(match_exact({}, make_grid(1, 1)), InvalidInput);
+    ExactOptions options;
+    options.max_alternatives = -1;
+    EXPECT_THROW(match_exact(make_grid(1, 1), make_grid(1, 1), options), InvalidInput);
+}
+
+TEST(MatchExact, FindsTheOnlyMatchOfAnAsymmetricMesh) {
+    const TriangleMesh mesh = lopsided();
+    const test::DisguisedMesh target = test::shuffled(test::moved(mesh, 3), 4);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    expect_isomorphism(mesh, target.mesh, result);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.automorphisms.number, 1U);
+    EXPECT_EQ(result.mirror_automorphisms.number, 0U);
+    EXPECT_EQ(result.reversed_triangles, 0);
+}
+
+TEST(MatchExact, CountsTheRotationsOfAnIcosphereAndPicksTheGeometricallyRightOne) {
+    const TriangleMesh mesh = make_icosphere(2);
+    const test::DisguisedMesh target = test::shuffled(mesh, 5);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    expect_isomorphism(mesh, target.mesh, result);
+    EXPECT_EQ(result.automorphisms.number, 60U);
+    EXPECT_EQ(result.mirror_automorphisms.number, 60U);
+}
+
+TEST(MatchExact, CountsTheSymmetriesOfATorus) {
+    // Translations of a triangular lattice on 8 x 13: the half turn is an automorphism, sixths of a turn are
+    // not.
+    TriangleMesh mesh = make_torus(8, 13);
+    const ExactResult result = match_exact(mesh, test::shuffled(mesh, 6).mesh);
+    EXPECT_EQ(result.automorphisms.number, 2U * 8U * 13U);
+    // Stretched on one side, only one of them keeps the lengths.
+    for (Index v = 0; v < mesh.n_vertices(); ++v) mesh.vertices.row(v) *= 1 + 0.1 * std::sin(0.37 * v);
+    const test::DisguisedMesh target = test::shuffled(test::moved(mesh, 1), 6);
+    EXPECT_EQ(match_exact(mesh, target.mesh).target_from_source, target.mesh_from_original);
+}
+
+TEST(MatchExact, PairsEqualIslandsByPosition) {
+    TriangleMesh mesh = lopsided();
+    for (int i = 0; i < 5; ++i) {
+        TriangleMesh island = make_icosphere(0);
+        island.vertices *= 0.1;
+        island.vertices.rowwise() += Eigen::RowVector3d(1.5 + 0.3 * i, 0.1 * i * i, 0.2 * i);
+        mesh = test::joined(mesh, island);
+    }
+    const test::DisguisedMesh target = test::shuffled(test::moved(mesh, 8), 9);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    expect_isomorphism(mesh, target.mesh, result);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    ASSERT_EQ(result.interchangeable.size(), 1U);
+    EXPECT_EQ(result.interchangeable[0].source.size(), 5U);
+    EXPECT_EQ(result.automorphisms.number, 120ULL * 60 * 60 * 60 * 60 * 60);
+}
+
+TEST(MatchExact, MatchesReversedWindingAndSaysSo) {
+    const TriangleMesh mesh = lopsided();
+    const test::DisguisedMesh target = test::shuffled(mesh, 10);
+    const TriangleMesh reversed = with_reversed_winding(target.mesh, 1);
+    const ExactResult whole = match_exact(mesh, reversed);
+    expect_isomorphism(mesh, reversed, whole);
+    EXPECT_EQ(whole.target_from_source, target.mesh_from_original);
+    EXPECT_TRUE(whole.winding_reversed);
+    const TriangleMesh some = with_reversed_winding(target.mesh, 10);
+    const ExactResult tenth = match_exact(mesh, some);
+    expect_isomorphism(mesh, some, tenth);
+    EXPECT_EQ(tenth.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(tenth.reversed_triangles, 128);
+    EXPECT_FALSE(tenth.winding_reversed);
+}
+
+TEST(MatchExact, MatchesAMoebiusBand) {
+    TriangleMesh band = make_grid(12, 2);
+    // The right end glued to the left one upside down.
+    std::vector<Index> name(static_cast<std::size_t>(band.n_vertices()));
+    for (Index v = 0; v < band.n_vertices(); ++v)
+        name[static_cast<std::size_t>(v)] = v % 13 == 12 ? (2 - v / 13) * 13 : v;
+    for (Index t = 0; t < band.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c)
+            band.triangles(t, c) = name[static_cast<std::size_t>(band.triangles(t, c))];
+    const test::DisguisedMesh target = test::shuffled(band, 2);
+    expect_isomorphism(band, target.mesh, match_exact(band, target.mesh));
+}
+
+TEST(MatchExact, MatchesAcrossNonManifoldEdges) {
+    // A third sheet on an edge of the surface, and a copy of a face.
+    TriangleMesh mesh = lopsided();
+    const Index n = mesh.n_vertices(), m = mesh.n_triangles();
+    mesh.vertices.conservativeResize(n + 1, 3);
+    mesh.vertices.row(n) << 2, 0, 0;
+    mesh.triangles.conservativeResize(m + 2, 3);
+    mesh.triangles.row(m) << mesh.triangles(5, 0), mesh.triangles(5, 1), n;
+    mesh.triangles.row(m + 1) = mesh.triangles.row(100);
+    const test::DisguisedMesh target = test::shuffled(test::moved(mesh, 3), 11);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    expect_isomorphism(mesh, target.mesh, result);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.path, ExactPath::patches);
+    EXPECT_EQ(result.automorphisms.number, 2U);  // the two copies of the face
+}
+
+TEST(MatchExact, NamesADifference) {
+    const TriangleMesh mesh = lopsided();
+    const ExactResult flipped = match_exact(mesh, test::with_flipped_edges(mesh, 1, 3).mesh);
+    EXPECT_FALSE(flipped.identical);
+    EXPECT_FALSE(flipped.difference.empty());
+    EXPECT_FALSE(match_exact(make_torus(6, 8), make_torus(8, 6)).identical &&
+                 match_exact(make_torus(6, 8), make_torus(4, 12)).identical);
+    EXPECT_FALSE(match_exact(make_grid(2, 2), make_torus(3, 3)).identical);
+}
+
+TEST(MatchExact, WeldsDuplicatesAndFindsAPartnerForEach) {
+    const TriangleMesh mesh = lopsided();
+    TriangleMesh soup{Points(3 * mesh.n_triangles(), 3), Triangles(mesh.n_triangles(), 3)};
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            soup.vertices.row(3 * t + c) = mesh.vertices.row(mesh.triangles(t, c));
+            soup.triangles(t, c) = 3 * t + c;
+        }
+    }
+    const test::DisguisedMesh target = test::shuffled(soup, 12);
+    ExactOptions options;
+    options.weld_distance = 0;
+    const ExactResult result = match_exact(soup, target.mesh, options);
+    ASSERT_TRUE(result.identical);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.automorphisms.number, 1U);
+}
+
+TEST(MatchExact, GivesTheOtherMatchesOfASymmetricMesh) {
+    const TriangleMesh mesh = make_icosphere(0);
+    ExactOptions options;
+    options.max_alternatives = 1000;
+    const ExactResult result = match_exact(mesh, mesh, options);
+    EXPECT_EQ(result.alternatives.size(), 60U);  // 59 rotations and the mirror image
+    for (const VertexMap& other : result.alternatives) EXPECT_NE(other, result.target_from_source);
+}
+
+TEST(MatchExact, MatchesTenThousandTetrahedra) {
+    Random random(1);
+    constexpr Index n = 10'000;
+    TriangleMesh mesh{Points(4 * n, 3), Triangles(4 * n, 3)};
+    for (Index i = 0; i < n; ++i) {
+        const Eigen::RowVector3d at(random.uniform(0, 100), random.uniform(0, 100), random.uniform(0, 100));
+        mesh.vertices.row(4 * i) = at;
+        mesh.vertices.row(4 * i + 1) = at + Eigen::RowVector3d(1, 0, 0);
+        mesh.vertices.row(4 * i + 2) = at + Eigen::RowVector3d(0, 1, 0);
+        mesh.vertices.row(4 * i + 3) = at + Eigen::RowVector3d(0, 0, 1);
+        const Index a = 4 * i;
+        mesh.triangles.row(4 * i) << a, a + 2, a + 1;
+        mesh.triangles.row(4 * i + 1) << a, a + 1, a + 3;
+        mesh.triangles.row(4 * i + 2) << a, a + 3, a + 2;
+        mesh.triangles.row(4 * i + 3) << a + 1, a + 2, a + 3;
+    }
+    const test::DisguisedMesh target = test::shuffled(mesh, 13);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_FALSE(result.automorphisms.number.has_value());
+    EXPECT_NEAR(result.automorphisms.log10, 35659.45 + n * std::log10(12.0), 1);
+}
+
+}  // namespace
+}  // namespace counterpart
