@@ -18,5 +18,6 @@ void add_align(CLI::App& program);
 void add_morph(CLI::App& program);
 void add_project(CLI::App& program);
 void add_view(CLI::App& program);
+void add_reorder(CLI::App& program);
 
 }  // namespace counterpart::cli

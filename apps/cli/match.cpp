@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "match_exact.hpp"
 #include "match_methods.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/base/stopwatch.hpp>
 #include <counterpart/io/map_file.hpp>
 
@@ -18,7 +20,7 @@ namespace {
 struct MatchCommand {
     CommonOptions common;
     std::filesystem::path source, target, output;
-    std::string method = "frontiers";
+    std::string method = "auto";
     std::vector<MatchMethod> methods;
 };
 
@@ -32,14 +34,15 @@ void run(const MatchCommand& command) {
     const MatchOutcome outcome =
         method->run({source, target, command.common, progress_bar("matching", command.common)});
     watch.lap("match");
-    write_vertex_map(outcome.target_from_source, command.output);
+    if (outcome.failure.empty()) write_vertex_map(outcome.target_from_source, command.output);
     watch.lap("write");
 
     for (const std::string& message : outcome.messages) say(command.common, message);
     const Index matched = count_matched(outcome.target_from_source);
-    say(command.common,
-        fmt::format("matched {} of {} vertices by '{}' in {:.2f} s -> {}", matched, source.n_vertices(),
-                    method->name, watch.stages()[1].seconds, command.output.string()));
+    if (outcome.failure.empty())
+        say(command.common,
+            fmt::format("matched {} of {} vertices by '{}' in {:.2f} s -> {}", matched, source.n_vertices(),
+                        method->name, watch.stages()[1].seconds, command.output.string()));
     write_report({{"command", "match"},
                   {"source", command.source.string()},
                   {"target", command.target.string()},
@@ -52,6 +55,7 @@ void run(const MatchCommand& command) {
                   {"seconds", to_json(watch.stages())},
                   {"stage_seconds", to_json(outcome.stages)}},
                  command.common);
+    if (!outcome.failure.empty()) throw InvalidInput(outcome.failure);
 }
 
 }  // namespace
@@ -65,8 +69,11 @@ void add_match(CLI::App& program) {
         ->add_option("-o,--output", command->output,
                      "Map file: line i = target vertex of source vertex i, from 0; .npy too")
         ->required();
-    command->methods = {add_frontiers_method(*match), add_nearest_method(*match),
-                        add_hungarian_method(*match), add_spectral_method(*match)};
+    const auto exact = std::make_shared<ExactArguments>();
+    command->methods = {add_exact_method(*match, exact), add_frontiers_method(*match),
+                        add_nearest_method(*match), add_hungarian_method(*match),
+                        add_spectral_method(*match)};
+    command->methods.insert(command->methods.begin(), add_auto_method(command->methods, exact));
 
     std::vector<std::string> names;
     std::string help = "One of";

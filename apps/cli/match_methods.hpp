@@ -10,6 +10,7 @@
 #include <counterpart/map/vertex_map.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct MatchOutcome {
     std::vector<std::string> messages;  ///< sentences for the user
     Json details = Json::object();      ///< the method's part of the report
     std::vector<StageTime> stages;
+    std::string failure;  ///< not empty: write the report, but no map, and fail with this sentence
 };
 
 struct MatchMethod {
@@ -37,6 +39,11 @@ struct MatchMethod {
 
 MatchMethod add_frontiers_method(CLI::App& match);
 MatchMethod add_hungarian_method(CLI::App& match);
+struct ExactArguments;
+
+MatchMethod add_auto_method(const std::vector<MatchMethod>& methods,
+                            const std::shared_ptr<ExactArguments>& exact);
+MatchMethod add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
 MatchMethod add_nearest_method(CLI::App& match);
 MatchMethod add_spectral_method(CLI::App& match);
 

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match_methods.hpp"
+
+#include <counterpart/match/exact.hpp>
+
+#include <memory>
+#include <string>
+
+namespace counterpart::cli {
+
+struct ExactArguments {
+    ExactOptions options;
+    bool allow_differences = false;
+    std::string alternatives;  // prefix of the files; empty: none
+    Index max_alternatives = 100;
+
+    void prepare() { options.max_alternatives = alternatives.empty() ? 0 : max_alternatives; }
+};
+
+MatchOutcome run_exact(const MatchInput& input, const ExactArguments& arguments);
+
+}  // namespace counterpart::cli

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/disguise.hpp"
+#include "support/edits.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/difference.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+TriangleMesh lopsided() { return test::with_flipped_edges(make_icosphere(4), 300, 7).mesh; }
+
+// At least `share` of the surviving vertices right, none wrong but for those marked uncertain, and the
+// differing source triangles are the edited ones.
+void expect_found(const test::EditedMesh& edited, double share, const MeshDifference& difference,
+                  const VertexMap& mesh_from_edited) {
+    Index surviving = 0, right = 0;
+    for (std::size_t v = 0; v < edited.edited_from_original.size(); ++v) {
+        const Index now = edited.edited_from_original[v], found = difference.target_from_source.image[v];
+        const Index truth = now < 0 ? -1 : mesh_from_edited[now];
+        surviving += now >= 0;
+        right += now >= 0 && found == truth;
+        const bool doubted = std::binary_search(difference.uncertain.begin(), difference.uncertain.end(),
+                                                static_cast<Index>(v));
+        EXPECT_TRUE(found < 0 || found == truth || doubted) << "vertex " << v << " is wrong";
+    }
+    EXPECT_GE(right, share * surviving);
+    EXPECT_EQ(std::set<Index>(difference.source_triangles.begin(), difference.source_triangles.end()),
+              edited.changed);
+}
+
+TEST(FindDifferences, RefusesInvalidMeshes) {
+    EXPECT_THROW(find_differences({}, make_grid(1, 1)), InvalidInput);
+}
+
+TEST(FindDifferences, NamesAFlippedEdge) {
+    const TriangleMesh mesh = lopsided();
+    for (const Index count : {1, 10, 25}) {
+        const test::EditedMesh edited = test::with_flipped_edges(mesh, count, 21);
+        const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
+        const MeshDifference difference = find_differences(mesh, target.mesh);
+        expect_found(edited, 0.999, difference, target.mesh_from_original);
+        if (count > 1) continue;
+        ASSERT_EQ(difference.edits.size(), 1U);
+        EXPECT_NE(difference.edits[0].sentence.find("is flipped"), std::string::npos);
+    }
+}
+
+TEST(FindDifferences, NamesARemovedVertex) {
+    const TriangleMesh mesh = lopsided();
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const test::EditedMesh edited = test::without_vertex(mesh, seed);
+        const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
+        const MeshDifference difference = find_differences(mesh, target.mesh);
+        expect_found(edited, 0.999, difference, target.mesh_from_original);
+        ASSERT_EQ(difference.edits.size(), 1U);
+        EXPECT_NE(difference.edits[0].sentence.find("is replaced by"), std::string::npos)
+            << difference.edits[0].sentence;
+    }
+}
+
+TEST(FindDifferences, FindsMissingFaces) {
+    const TriangleMesh mesh = lopsided();
+    const test::EditedMesh edited = test::with_missing_triangles(mesh, 0.05, 5);
+    const test::DisguisedMesh target = test::shuffled(edited.mesh, 6);
+    expect_found(edited, 0.999, find_differences(mesh, target.mesh), target.mesh_from_original);
+}
+
+TEST(FindDifferences, NamesAMissingIsland) {
+    TriangleMesh island = make_icosphere(1);
+    island.vertices.rowwise() += Eigen::RowVector3d(3, 0, 0);
+    TriangleMesh other = island;
+    other.vertices.rowwise() += Eigen::RowVector3d(0, 3, 0);
+    const TriangleMesh part = test::joined(lopsided(), other);
+    const TriangleMesh mesh = test::joined(part, island);
+    const test::DisguisedMesh target = test::shuffled(part, 4);
+    const MeshDifference difference = find_differences(mesh, target.mesh);
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        EXPECT_EQ(difference.target_from_source[v],
+                  v < part.n_vertices() ? target.mesh_from_original[v] : -1);
+    ASSERT_EQ(difference.edits.size(), 1U);
+    EXPECT_NE(difference.edits[0].sentence.find("an island of 80 faces"), std::string::npos);
+}
+
+TEST(FindDifferences, EndsOnUnrelatedMeshes) {
+    const MeshDifference difference = find_differences(make_torus(10, 12), make_grid(9, 7));
+    EXPECT_FALSE(difference.summary.empty());
+}
+
+}  // namespace
+}  // namespace counterpart
