@@ -11,7 +11,7 @@
 namespace counterpart::cli {
 
 SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
-                            const TriangleMesh& target, const CommonOptions& options) {
+                            const TriangleMesh& target, const CommonOptions& options, int extend) {
     if (file.empty()) {
         if (source.n_vertices() != target.n_vertices()) {
             throw InvalidInput(fmt::format("the meshes have {} and {} vertices: a --map is needed",
@@ -29,7 +29,7 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMes
         auto& vertices = std::get<VertexMap>(map);
         vertices.target_size = target.n_vertices();
         require_valid(vertices, source.n_vertices(), target.n_vertices());
-        return project_map(source, target, vertices, {.n_threads = options.threads});
+        return project_map(source, target, vertices, {.extend = extend, .n_threads = options.threads});
     } catch (const InvalidInput& error) {
         throw IoError(fmt::format("{}: {}", file.string(), error.what()));
     }

@@ -12,9 +12,9 @@
 namespace counterpart::cli {
 
 /// Reads a map file of either kind as a sub-vertex map: a vertex map is projected between the vertices
-/// unless the meshes have one connectivity. Without a file, vertex i goes to vertex i. Throws IoError naming
-/// the file if the map does not fit the meshes.
+/// unless the meshes have one connectivity, `extend` as in ProjectOptions. Without a file, vertex i goes to
+/// vertex i. Throws IoError naming the file if the map does not fit the meshes.
 SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
-                            const TriangleMesh& target, const CommonOptions& options);
+                            const TriangleMesh& target, const CommonOptions& options, int extend = 0);
 
 }  // namespace counterpart::cli

@@ -16,12 +16,14 @@ namespace {
 struct ProjectCommand {
     CommonOptions common;
     std::filesystem::path source, target, map, output, inverse;
+    int extend = 0;
 };
 
 void run(const ProjectCommand& command) {
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    const SurfaceMap target_from_source = load_surface_map(command.map, source, target, command.common);
+    const SurfaceMap target_from_source =
+        load_surface_map(command.map, source, target, command.common, command.extend);
     Json report = {{"command", "project"},
                    {"source_vertices", source.n_vertices()},
                    {"matched_vertices", count_matched(target_from_source)}};
@@ -53,6 +55,11 @@ void add_project(CLI::App& program) {
         ->required();
     project->add_option("--inverse", command->inverse, "Also write the sub-vertex map from TARGET to SOURCE")
         ->type_name("FILE");
+    project
+        ->add_option("--extend", command->extend,
+                     "Rounds in which unmatched vertices follow their matched neighbours; 0 to 1000")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
     add_common_options(*project, command->common);
     project->callback([command] { run(*command); });
 }

@@ -67,7 +67,7 @@ std::vector<Index> neighborhood(const Adjacency& adjacency, Index vertex, int ri
 }
 
 // Where the vertex goes by a linear fit, over the tangent plane at `vertex`, through the images of its
-// neighbours (matched ones, the vertex first).
+// matched neighbours.
 Eigen::Vector3d fitted_image(const TriangleMesh& source, const Eigen::RowVector3d& normal,
                              const std::vector<Index>& neighbors, const Points& images, Index vertex) {
     const Eigen::RowVector3d center = source.vertices.row(vertex);
@@ -75,7 +75,6 @@ Eigen::Vector3d fitted_image(const TriangleMesh& source, const Eigen::RowVector3
     double farthest = 0;
     for (const Index w : neighbors)
         farthest = std::max(farthest, (source.vertices.row(w) - center).squaredNorm());
-    if (neighbors.size() < 4 || farthest == 0) return images.row(vertex).transpose();
     Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero(), right = Eigen::Matrix3d::Zero();
     for (const Index w : neighbors) {
         const Eigen::RowVector3d offset = source.vertices.row(w) - center;
@@ -91,7 +90,7 @@ Eigen::Vector3d fitted_image(const TriangleMesh& source, const Eigen::RowVector3
     return fit.row(0).transpose();
 }
 
-SurfacePoint closest_among(const std::vector<Index>& triangles, const TriangleMesh& target,
+ClosestPoint closest_among(const std::vector<Index>& triangles, const TriangleMesh& target,
                            const Eigen::Vector3d& query) {
     ClosestPoint best;
     for (const Index t : triangles) {
@@ -101,15 +100,104 @@ SurfacePoint closest_among(const std::vector<Index>& triangles, const TriangleMe
         point.triangle = t;
         if (point.squared_distance < best.squared_distance) best = point;
     }
-    return {best.triangle, best.weights};
+    return best;
 }
 
 void require_usable(const ProjectOptions& options) {
     if (options.rings < 1 || options.rings > 5)
         throw InvalidInput(fmt::format("rings must be in 1 .. 5, not {}", options.rings));
+    if (options.passes < 1 || options.passes > 100)
+        throw InvalidInput(fmt::format("passes must be in 1 .. 100, not {}", options.passes));
+    if (options.extend < 0 || options.extend > 1000)
+        throw InvalidInput(fmt::format("extend must be in 0 .. 1000, not {}", options.extend));
     if (!(options.exact_share >= 0 && options.exact_share <= 1))
         throw InvalidInput(fmt::format("exact_share must be in 0 .. 1, not {}", options.exact_share));
 }
+
+// What stays the same over the passes.
+struct Projection {
+    const TriangleMesh &source, &target;
+    Adjacency adjacency{source}, target_adjacency{target};
+    Fans fans{target.triangles, target.n_vertices()};
+    Points normals = vertex_normals(source);
+    int rings;
+
+    // The triangles around the target vertices nearest to the neighbours' images, one ring more around the
+    // vertex's own.
+    std::vector<Index> candidates(const VertexMap& nearest, const std::vector<Index>& neighbors,
+                                  Index v) const {
+        std::set<Index> near;
+        for (const Index w : neighbors) near.insert(nearest[w]);
+        if (nearest[v] != VertexMap::unmatched)
+            for (const Index w : target_adjacency.neighbors(nearest[v])) near.insert(w);
+        std::vector<Index> triangles;
+        for (const Index w : near) {
+            const auto around = fans.around(w);
+            triangles.insert(triangles.end(), around.begin(), around.end());
+        }
+        std::sort(triangles.begin(), triangles.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        return triangles;
+    }
+
+    SurfacePoint improved(const SurfaceMap& map, const VertexMap& nearest, const Points& images,
+                          Index v) const {
+        std::vector<Index> neighbors = neighborhood(adjacency, v, rings);
+        std::erase_if(neighbors, [&](Index w) { return !map[w].matched(); });
+        constexpr std::size_t least = 4;  // three determine the fit exactly and even nothing out
+        if (neighbors.size() < least || normals.row(v).isZero()) return map[v];
+        const ClosestPoint point = closest_among(candidates(nearest, neighbors, v), target,
+                                                 fitted_image(source, normals.row(v), neighbors, images, v));
+        return {point.triangle, point.weights};
+    }
+};
+
+// Finds the source triangles whose images are near a target vertex along the target's surface, so that a hand
+// that touches the hip is not taken for it.
+class SourceNearby {
+  public:
+    TriangleMesh laid_out;  // the source at its images
+
+    SourceNearby(const SurfaceMap& map, const TriangleMesh& source, const TriangleMesh& target)
+        : laid_out{image_positions(map, target), source.triangles},
+          adjacency_(target),
+          source_fans_(source.triangles, source.n_vertices()),
+          landed_(static_cast<std::size_t>(target.n_vertices())) {
+        const VertexMap nearest = nearest_corners(map, target);
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            if (nearest[v] != VertexMap::unmatched)
+                landed_[static_cast<std::size_t>(nearest[v])].push_back(v);
+    }
+
+    // The triangles around the first few source vertices met when walking ring by ring from the vertex.
+    std::vector<Index> triangles(Index target_vertex) const {
+        constexpr std::size_t enough = 8, most_visited = 2000;
+        std::vector<Index> ring{target_vertex}, sources;
+        std::set<Index> visited{target_vertex};
+        while (!ring.empty() && sources.size() < enough && visited.size() < most_visited) {
+            std::vector<Index> next;
+            for (const Index w : ring) {
+                const std::vector<Index>& here = landed_[static_cast<std::size_t>(w)];
+                sources.insert(sources.end(), here.begin(), here.end());
+                for (const Index u : adjacency_.neighbors(w))
+                    if (visited.insert(u).second) next.push_back(u);
+            }
+            ring = std::move(next);
+        }
+        std::set<Index> found;
+        for (const Index v : sources) {
+            for (const Index t : source_fans_.around(v))
+                if (!laid_out.vertices(laid_out.triangles.row(t).transpose(), Eigen::all).hasNaN())
+                    found.insert(t);
+        }
+        return {found.begin(), found.end()};
+    }
+
+  private:
+    Adjacency adjacency_;
+    Fans source_fans_;
+    std::vector<std::vector<Index>> landed_;  // source vertices by the target vertex nearest to their image
+};
 
 }  // namespace
 
@@ -119,32 +207,20 @@ SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
     require_valid(target);
     require_usable(options);
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
-    SurfaceMap result = surface_map_of(target_from_source, target);
+    const Projection projection{.source = source, .target = target, .rings = options.rings};
     const std::vector<char> exact = exact_vertices(source, target, target_from_source, options.exact_share);
-    const Adjacency adjacency(source), target_adjacency(target);
-    const Fans fans(target.triangles, target.n_vertices());
-    const Points normals = vertex_normals(source);
-    const Points images = image_positions(result, target);
-    const SurfaceMap start = result;
+    SurfaceMap result = surface_map_of(target_from_source, target);
     with_threads(options.n_threads, [&] {
-        parallel_for(result.image.size(), 64, [&](std::size_t i) {
-            const auto v = static_cast<Index>(i);
-            if (exact[i] || !start.image[i].matched() || normals.row(v).isZero()) return;
-            std::vector<Index> neighbors = neighborhood(adjacency, v, options.rings);
-            std::erase_if(neighbors, [&](Index w) { return !start[w].matched(); });
-            std::set<Index> near;  // target vertices whose triangles may hold the image
-            for (const Index w : neighbors) near.insert(target_from_source[w]);
-            for (const Index w : target_adjacency.neighbors(target_from_source[v])) near.insert(w);
-            std::vector<Index> candidates;
-            for (const Index w : near) {
-                const auto around = fans.around(w);
-                candidates.insert(candidates.end(), around.begin(), around.end());
-            }
-            std::sort(candidates.begin(), candidates.end());
-            candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-            const Eigen::Vector3d image = fitted_image(source, normals.row(v), neighbors, images, v);
-            result.image[i] = closest_among(candidates, target, image);
-        });
+        for (int pass = 0; pass < std::max(options.passes, options.extend); ++pass) {
+            const SurfaceMap before = result;
+            const VertexMap nearest = nearest_corners(before, target);
+            const Points images = image_positions(before, target);
+            parallel_for(result.image.size(), 64, [&](std::size_t v) {
+                const bool due = pass < (before.image[v].matched() ? options.passes : options.extend);
+                if (due && !exact[v])
+                    result.image[v] = projection.improved(before, nearest, images, static_cast<Index>(v));
+            });
+        }
     });
     return result;
 }
@@ -169,24 +245,15 @@ SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& sour
     for (Index& v : back.image) v = std::max(v, VertexMap::unmatched);
     SurfaceMap result = surface_map_of(back, source);
 
-    const Points images = image_positions(target_from_source, target);
-    std::vector<Index> whole;
-    for (Index t = 0; t < source.n_triangles(); ++t) {
-        const auto matched = [&](int c) { return target_from_source[source.triangles(t, c)].matched(); };
-        if (matched(0) && matched(1) && matched(2)) whole.push_back(t);
-    }
-    const ClosestTriangle closest(images, Triangles(source.triangles(whole, Eigen::all)));
-    const Points normals = vertex_normals(target);
+    const SourceNearby nearby(target_from_source, source, target);
     const double reach = options.reach * mean_edge_length(target);
     with_threads(options.n_threads, [&] {
         parallel_for(result.image.size(), 64, [&](std::size_t w) {
             if (result.image[w].matched()) return;
-            const auto row = static_cast<Eigen::Index>(w);
-            const Eigen::Vector3d query = target.vertices.row(row).transpose();
-            ClosestPoint point = closest.closest(query, normals.row(row).transpose(), 0, reach);
-            if (point.triangle < 0) point = closest.closest(query, reach);
-            if (point.triangle >= 0)
-                result.image[w] = {whole[static_cast<std::size_t>(point.triangle)], point.weights};
+            const std::vector<Index> candidates = nearby.triangles(static_cast<Index>(w));
+            const Eigen::Vector3d query = target.vertices.row(static_cast<Eigen::Index>(w)).transpose();
+            const ClosestPoint point = closest_among(candidates, nearby.laid_out, query);
+            if (point.squared_distance <= reach * reach) result.image[w] = {point.triangle, point.weights};
         });
     });
     return result;

@@ -11,6 +11,11 @@ namespace counterpart {
 struct ProjectOptions {
     /// Rings of source vertices whose images are averaged, 1 .. 5.
     int rings = 2;
+    /// How often the images are evened out, 1 .. 100.
+    int passes = 3;
+    /// Rounds in which unmatched vertices near matched ones get the image that the fit through their
+    /// neighbours gives, 0 .. 1000. Each reaches `rings` rings into the unmatched part.
+    int extend = 0;
     /// Vertices whose surrounding triangles all go to triangles of the target stay where they are if at least
     /// this share of the source's triangles does, 0 .. 1: the meshes then have one connectivity.
     double exact_share = 0.5;
@@ -20,7 +25,8 @@ struct ProjectOptions {
 /// From vertices to points between them. Each source vertex's image is estimated from the images around it -
 /// a plane is fitted through them by moving least squares over the source's tangent plane (Lancaster and
 /// Salkauskas 1981), which evens out the half edge by which each vertex image is off - and projected onto the
-/// target's triangles around those images. Unmatched vertices stay unmatched. O(V) for bounded valences.
+/// target's triangles around those images. Unmatched vertices stay unmatched unless `extend` says otherwise.
+/// O(V) for bounded valences.
 SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
                        const VertexMap& target_from_source, const ProjectOptions& options = {});
 
@@ -32,9 +38,9 @@ struct InvertOptions {
 };
 
 /// source_from_target: the closest point of the source's image (the source's triangles at their images'
-/// positions) to each target vertex, of those that face the same way where there are any. A target vertex
-/// that is the image of exactly one source vertex goes back to it. Triangles with an unmatched corner are
-/// left out. O((V + F) log F).
+/// positions) to each target vertex, among the triangles whose images are near it along the target's surface.
+/// A target vertex that is the image of exactly one source vertex goes back to it. Triangles with an
+/// unmatched corner are left out. O(V) for meshes of similar resolution.
 SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& source,
                   const TriangleMesh& target, const InvertOptions& options = {});
 

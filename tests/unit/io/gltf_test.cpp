@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/byte_order.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/gltf.hpp>
+#include <counterpart/io/mesh_file.hpp>
+
+#include <filesystem>
+#include <functional>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace counterpart {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A square of two triangles, cut along its diagonal by a texture seam: six vertices for four points, bound to
+// two joints, with one blend shape.
+struct Square {
+    Json json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}};
+    std::string bytes;
+
+    Square() {
+        const Json position = floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
+        const Json uv = floats({0, 0, .5, 0, .5, 1, .5, 0, 1, 1, .5, 1}, 2);
+        const Json weights =
+            floats({1, 0, 0, 0, .5, .5, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, .25, .75, 0, 0}, 4);
+        const Json smile = floats({0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 1, 0, 0, 3, 0, 0, 4}, 3);
+        const std::size_t joints_at = bytes.size();
+        for (int v = 0; v < 6; ++v) bytes += std::string("\0\1\0\0", 4);
+        const Json joints = accessor(joints_at, 5121, "VEC4", 6);
+        const std::size_t indices_at = bytes.size();
+        for (int i = 0; i < 6; ++i) append_number(bytes, static_cast<std::uint16_t>(i));
+        const Json indices = accessor(indices_at, 5123, "SCALAR", 6);
+        json["meshes"] = {
+            {{"primitives",
+              {{{"attributes",
+                 {{"POSITION", position}, {"TEXCOORD_0", uv}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
+                {"indices", indices},
+                {"targets", {{{"POSITION", smile}}}}}}},
+             {"extras", {{"targetNames", {"smile"}}}}}};
+        json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 5}}}};
+        json["scenes"] = {{{"nodes", {0}}}};
+    }
+
+    Json floats(const std::vector<float>& numbers, int width) {
+        const std::size_t at = bytes.size();
+        for (const float number : numbers) append_number(bytes, number);
+        const char* type = width == 2 ? "VEC2" : width == 3 ? "VEC3" : "VEC4";
+        return accessor(at, 5126, type, numbers.size() / static_cast<std::size_t>(width));
+    }
+    Json accessor(std::size_t at, int component, const char* type, std::size_t count) {
+        json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", at}, {"byteLength", bytes.size() - at}});
+        json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+                                     {"componentType", component},
+                                     {"type", type},
+                                     {"count", count}});
+        return json["accessors"].size() - 1;
+    }
+    std::string glb() {
+        json["buffers"] = {{{"byteLength", bytes.size()}}};
+        std::string text = json.dump(), binary = bytes, file = "glTF";
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        binary.resize((binary.size() + 3) / 4 * 4, '\0');
+        append_number(file, std::uint32_t{2});
+        append_number(file, static_cast<std::uint32_t>(28 + text.size() + binary.size()));
+        append_number(file, static_cast<std::uint32_t>(text.size()));
+        file += "JSON" + text;
+        append_number(file, static_cast<std::uint32_t>(binary.size()));
+        return file + std::string("BIN\0", 4) + binary;
+    }
+};
+
+const std::filesystem::path file =
+    std::filesystem::temp_directory_path() / ("square" + std::to_string(getpid()) + ".glb");
+
+GltfFile read(const std::string& bytes) {
+    write_file(bytes, file);
+    return read_gltf(file);
+}
+
+std::string error_of(const std::string& bytes) {
+    try {
+        read(bytes);
+        return "read without an error";
+    } catch (const IoError& error) {
+        return error.what();
+    }
+}
+
+TEST(Gltf, SeamsAreWeldedAndAttributesKept) {
+    const GltfFile square = read(Square().glb());
+    const AttributedMesh& content = square.content;
+    EXPECT_EQ(content.mesh.vertices, (Points{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}));
+    EXPECT_EQ(content.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(square.vertex_from_file, (std::vector<Index>{0, 1, 2, 0, 2, 3}));
+    ASSERT_EQ(square.notices.size(), 1U);
+    ASSERT_EQ(content.texture_coordinates.size(), 1U);
+    EXPECT_EQ(content.texture_coordinates[0].corners, (Triangles{{0, 1, 2}, {3, 4, 5}}));
+    EXPECT_EQ(content.texture_coordinates[0].values(3, 0), 0.5);
+    EXPECT_EQ(content.skin.joints(1, 1), 1);
+    EXPECT_EQ(content.skin.weights.row(3), (Eigen::RowVector4d(0.25, 0.75, 0, 0)));
+    ASSERT_EQ(content.morphs.size(), 1U);
+    EXPECT_EQ(content.morphs[0].name, "smile");
+    EXPECT_EQ(content.morphs[0].displacements.col(2), (Vector{{1, 2, 3, 4}}));
+    EXPECT_EQ(read_mesh(file).mesh.vertices, content.mesh.vertices);
+}
+
+TEST(Gltf, SkinnedMeshesStayAsTheyAreBound) {
+    Square square;
+    square.json["nodes"][0]["skin"] = 0;
+    EXPECT_EQ(read(square.glb()).content.mesh.vertices.col(2).maxCoeff(), 0);
+}
+
+TEST(Gltf, PointsThatMorphApartAreNotWelded) {
+    Square square;
+    square.bytes[static_cast<std::size_t>(square.json["bufferViews"][3]["byteOffset"]) + 4 * 11 + 2] ^= 1;
+    EXPECT_EQ(read(square.glb()).content.mesh.n_vertices(), 5);
+}
+
+TEST(Gltf, StripsAndFansKeepTheWinding) {
+    for (const int mode : {5, 6}) {
+        Square square;
+        Json& primitive = square.json["meshes"][0]["primitives"][0];
+        primitive["mode"] = mode;
+        primitive.erase("indices");
+        const Triangles triangles = read(square.glb()).content.mesh.triangles;
+        ASSERT_EQ(triangles.rows(), 4);
+        EXPECT_EQ(triangles.row(0), (Eigen::RowVector3i(0, 1, 2)));
+        EXPECT_EQ(triangles.row(1), mode == 5 ? Eigen::RowVector3i(1, 0, 2) : Eigen::RowVector3i(0, 2, 0));
+    }
+}
+
+TEST(Gltf, SaysWhatIsWrong) {
+    using Edit = std::function<void(Json&)>;
+    const std::vector<std::pair<Edit, std::string>> cases = {
+        {[](Json& j) { j["asset"]["version"] = "1.0"; }, "glTF 1.0 is not supported"},
+        {[](Json& j) { j.erase("asset"); }, "states no version"},
+        {[](Json& j) { j["extensionsRequired"] = {"KHR_draco_mesh_compression"}; },
+         "KHR_draco_mesh_compression"},
+        {[](Json& j) { j["accessors"][0]["count"] = 100; }, "accessor 0: 100 rows do not fit"},
+        {[](Json& j) { j["accessors"][0]["count"] = -1; }, "'count' must be a whole number"},
+        {[](Json& j) { j["accessors"][0]["count"] = 1e15; }, "announces"},
+        {[](Json& j) { j["accessors"][0]["type"] = "VEC2"; }, "where VEC3 is needed"},
+        {[](Json& j) { j["accessors"][0]["componentType"] = 7; }, "unknown componentType 7"},
+        {[](Json& j) { j["accessors"][0]["byteOffset"] = 8; }, "do not fit"},
+        {[](Json& j) { j["bufferViews"][0]["buffer"] = 3; }, "no buffer 3"},
+        {[](Json& j) { j["bufferViews"][0]["byteOffset"] = 1e12; }, "do not fit"},
+        {[](Json& j) { j["nodes"][0]["mesh"] = 9; }, "no element 9 in 'meshes'"},
+        {[](Json& j) { j["nodes"][0]["children"] = {0}; }, "do not form a tree"},
+        {[](Json& j) { j["meshes"][0]["primitives"][0]["mode"] = 1; }, "no triangles"},
+        {[](Json& j) { j["meshes"][0]["primitives"] = "none"; }, "an object with"},
+        {[](Json& j) { j["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = 5; },
+         "where VEC4 is needed"},
+        {[](Json& j) { j["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0"); },
+         "needs its WEIGHTS"},
+    };
+    for (const auto& [edit, message] : cases) {
+        Square square;
+        edit(square.json);
+        EXPECT_NE(error_of(square.glb()).find(message), std::string::npos)
+            << message << " | " << error_of(square.glb());
+    }
+    EXPECT_NE(error_of("glTF").find("cut off"), std::string::npos);
+    EXPECT_NE(error_of("{").find("JSON is damaged"), std::string::npos);
+    std::filesystem::remove(file);
+}
+
+TEST(Gltf, AnyTruncationIsAnError) {
+    const std::string bytes = Square().glb();
+    for (std::size_t size = 0; size < bytes.size() - 4; size += 7)
+        EXPECT_THROW(read(bytes.substr(0, size)), IoError) << size;
+    std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace counterpart
