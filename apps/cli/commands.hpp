@@ -10,6 +10,7 @@ namespace counterpart::cli {
 
 void add_convert(CLI::App& program);
 void add_deform(CLI::App& program);
+void add_descriptors(CLI::App& program);
 void add_distances(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_inspect(CLI::App& program);
@@ -19,5 +20,6 @@ void add_morph(CLI::App& program);
 void add_project(CLI::App& program);
 void add_view(CLI::App& program);
 void add_reorder(CLI::App& program);
+void add_spectrum(CLI::App& program);
 
 }  // namespace counterpart::cli

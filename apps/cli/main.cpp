@@ -16,6 +16,8 @@ int main(int argc, char** argv) {
     counterpart::cli::add_deform(program);
     counterpart::cli::add_inspect(program);
     counterpart::cli::add_match(program);
+    counterpart::cli::add_spectrum(program);
+    counterpart::cli::add_descriptors(program);
     counterpart::cli::add_distances(program);
     counterpart::cli::add_reorder(program);
     counterpart::cli::add_evaluate(program);

@@ -61,27 +61,35 @@ PairedFunctionalMaps fit_functional_maps(const SpectralPoints& a, const Spectral
     return result;
 }
 
-PairedMaps match_points(const SpectralPoints& a, const SpectralPoints& b, const PairedFunctionalMaps& maps,
-                        const ExtraCoordinates& extra) {
+PairCoordinates pair_coordinates(const SpectralPoints& a, const SpectralPoints& b,
+                                 const PairedFunctionalMaps& maps, const ExtraCoordinates& extra) {
     const Eigen::Index ka = maps.a_from_b.rows(), kb = maps.a_from_b.cols();
     const auto phi_a = a.functions.leftCols(ka), phi_b = b.functions.leftCols(kb);
+    PairCoordinates pair;
     const MatrixF b_in_a = phi_b * maps.a_from_b.transpose();  // Phi_B C^T
     const MatrixF a_in_b = phi_a * maps.b_from_a.transpose();  // Phi_A D^T
-    VectorF half_a = (phi_a.rowwise().squaredNorm() + a_in_b.rowwise().squaredNorm()) / 2;
-    VectorF half_b = (b_in_a.rowwise().squaredNorm() + phi_b.rowwise().squaredNorm()) / 2;
+    pair.half_a = (phi_a.rowwise().squaredNorm() + a_in_b.rowwise().squaredNorm()) / 2;
+    pair.half_b = (b_in_a.rowwise().squaredNorm() + phi_b.rowwise().squaredNorm()) / 2;
     // <[Phi_A | Phi_A D^T], [Phi_B C^T | Phi_B]> = Phi_A (C + D^T) Phi_B^T: half the dimensions do.
     const MatrixF both = maps.a_from_b.transpose() + maps.b_from_a;
     const Eigen::Index n_extra = extra.a.cols();
-    MatrixF x(a.size(), ka + n_extra), y(b.size(), ka + n_extra);
-    x.leftCols(ka) = phi_a;
-    y.leftCols(ka).noalias() = phi_b * both;
+    pair.a.resize(a.size(), ka + n_extra);
+    pair.b.resize(b.size(), ka + n_extra);
+    pair.a.leftCols(ka) = phi_a;
+    pair.b.leftCols(ka).noalias() = phi_b * both;
     if (n_extra > 0) {
-        x.rightCols(n_extra) = extra.a;
-        y.rightCols(n_extra) = extra.b;
-        half_a += extra.a.rowwise().squaredNorm() / 2;
-        half_b += extra.b.rowwise().squaredNorm() / 2;
+        pair.a.rightCols(n_extra) = extra.a;
+        pair.b.rightCols(n_extra) = extra.b;
+        pair.half_a += extra.a.rowwise().squaredNorm() / 2;
+        pair.half_b += extra.b.rowwise().squaredNorm() / 2;
     }
-    BestPartners found = best_partners(x, y, half_a, half_b);
+    return pair;
+}
+
+PairedMaps match_points(const SpectralPoints& a, const SpectralPoints& b, const PairedFunctionalMaps& maps,
+                        const ExtraCoordinates& extra) {
+    const PairCoordinates pair = pair_coordinates(a, b, maps, extra);
+    BestPartners found = best_partners(pair.a, pair.b, pair.half_a, pair.half_b);
     return {std::move(found.of_row), std::move(found.of_column)};
 }
 

@@ -41,6 +41,14 @@ struct ExtraCoordinates {
     MatrixF a, b;
 };
 
+/// Coordinates whose products, less half the squared lengths, order the neighbours of the full embeddings.
+struct PairCoordinates {
+    MatrixF a, b;
+    VectorF half_a, half_b;
+};
+PairCoordinates pair_coordinates(const SpectralPoints& a, const SpectralPoints& b,
+                                 const PairedFunctionalMaps& maps, const ExtraCoordinates& extra = {});
+
 /// Nearest neighbours between [Phi_A | Phi_A D^T] and [Phi_B C^T | Phi_B].
 PairedMaps match_points(const SpectralPoints& a, const SpectralPoints& b, const PairedFunctionalMaps& maps,
                         const ExtraCoordinates& extra = {});

@@ -18,21 +18,25 @@ OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis&
     const Eigen::MatrixXd& phi = basis.eigenfunctions;
     // In a triangle with corners 0, 1, 2 and area T: omega(f, g) = (df1 dg2 - df2 dg1) / (2 T). Its integral
     // against a linear function is T * omega * mean of the function: the area cancels.
-    const Index n = mesh.n_triangles();
-    Eigen::MatrixXd first(n, result.size), second(n, result.size), mean(n, result.n_coefficients);
-    for (Index t = 0; t < n; ++t) {
-        const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
-        first.row(t) = phi.row(b).head(result.size) - phi.row(a).head(result.size);
-        second.row(t) = phi.row(c).head(result.size) - phi.row(a).head(result.size);
-        mean.row(t) = (phi.row(a) + phi.row(b) + phi.row(c)).head(result.n_coefficients) / 6;
-    }
     const int s = result.size;
-    Eigen::MatrixXd omega(n, s * (s - 1) / 2);
-    for (int i = 0, column = 0; i < s; ++i)
-        for (int j = i + 1; j < s; ++j, ++column)
-            omega.col(column) =
-                first.col(i).cwiseProduct(second.col(j)) - second.col(i).cwiseProduct(first.col(j));
-    const Eigen::MatrixXd coefficients = omega.transpose() * mean;
+    Eigen::MatrixXd coefficients = Eigen::MatrixXd::Zero(s * (s - 1) / 2, result.n_coefficients);
+    constexpr Index block = 2048;  // triangles at a time, to keep the table of products small
+    for (Index start = 0; start < mesh.n_triangles(); start += block) {
+        const Index n = std::min(block, mesh.n_triangles() - start);
+        Eigen::MatrixXd first(n, s), second(n, s), mean(n, result.n_coefficients), omega(n, s * (s - 1) / 2);
+        for (Index t = 0; t < n; ++t) {
+            const Index a = mesh.triangles(start + t, 0), b = mesh.triangles(start + t, 1),
+                        c = mesh.triangles(start + t, 2);
+            first.row(t) = phi.row(b).head(s) - phi.row(a).head(s);
+            second.row(t) = phi.row(c).head(s) - phi.row(a).head(s);
+            mean.row(t) = (phi.row(a) + phi.row(b) + phi.row(c)).head(result.n_coefficients) / 6;
+        }
+        for (int i = 0, column = 0; i < s; ++i)
+            for (int j = i + 1; j < s; ++j, ++column)
+                omega.col(column) =
+                    first.col(i).cwiseProduct(second.col(j)) - second.col(i).cwiseProduct(first.col(j));
+        coefficients.noalias() += omega.transpose() * mean;
+    }
     result.values.setZero(s * s, result.n_coefficients);
     for (int i = 0, row = 0; i < s; ++i) {
         for (int j = i + 1; j < s; ++j, ++row) {

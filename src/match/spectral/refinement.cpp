@@ -3,6 +3,8 @@
 #include "match/spectral/refinement.hpp"
 
 #include "base/parallel.hpp"
+#include "match/spectral/elastic_fit.hpp"
+#include "match/spectral/local_search.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -25,15 +27,11 @@ MatrixF features(const Shape& shape, float weight) {
     return all.cast<float>() * weight;
 }
 
-// A moved onto B by the low frequencies of the displacement that the map asks for (Eisenberger et al. 2020).
-Points smooth_shell(const Shape& a, const Shape& b, const std::vector<Index>& b_from_a, int k) {
-    Points displacement(a.mesh.n_vertices(), 3);
-    for (Index v = 0; v < a.mesh.n_vertices(); ++v)
-        displacement.row(v) =
-            b.mesh.vertices.row(b_from_a[static_cast<std::size_t>(v)]) - a.mesh.vertices.row(v);
-    const auto phi = a.basis.eigenfunctions.leftCols(k);
-    const Eigen::MatrixXd coefficients = phi.transpose() * (a.basis.mass.asDiagonal() * displacement);
-    return a.mesh.vertices + phi * coefficients;
+Points positions_of_images(const Shape& b, const std::vector<Index>& b_from_a) {
+    Points positions(static_cast<Eigen::Index>(b_from_a.size()), 3);
+    for (std::size_t v = 0; v < b_from_a.size(); ++v)
+        positions.row(static_cast<Eigen::Index>(v)) = b.mesh.vertices.row(b_from_a[v]);
+    return positions;
 }
 
 MatrixF beside(const MatrixF& x, const Points& positions, float position_weight, const Points& normals,
@@ -47,28 +45,31 @@ MatrixF beside(const MatrixF& x, const Points& positions, float position_weight,
 
 PairedMaps refine(const Shape& a, const Shape& b, const PairedFunctionalMaps& start,
                   const RefineOptions& options) {
-    const std::size_t n = a.samples.size();
-    const SampledPair pair(a, b, n);
+    const SampledPair pair(a, b, a.samples.size());
     PairedMaps maps = match_points(pair.points_a, pair.points_b, start);
     std::vector<int> sizes;
     for (int k = 90; k <= options.last; k += 10) sizes.push_back(k);
     maps = zoom_out(pair.points_a, pair.points_b, std::move(maps), sizes, true);
     PairedFunctionalMaps functional =
         fit_functional_maps(pair.points_a, pair.points_b, maps, options.last, true);
-    const MatrixF fa = features(a, options.feature_weight), fb = features(b, options.feature_weight);
-    maps = match_points(a.all, b.all, functional, {fa, fb});
+    if (std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > large_mesh)
+        return match_points_nearby(a, b, functional, maps);
+
+    const MatrixF features_a = features(a, options.feature_weight),
+                  features_b = features(b, options.feature_weight);
+    maps = match_points(a.all, b.all, functional, {features_a, features_b});
+    const ElasticFit fit(a.mesh.vertices, a.laplacian, options.stiffness_length);
+    const MatrixF place_b =
+        beside(features_b, b.mesh.vertices, options.position_weight, b.normals, options.normal_weight);
+    Points moved;
     for (int round = 0; round < options.rounds; ++round) {
         functional = fit_functional_maps(a.all, b.all, maps, options.last, true);
-        if (options.position_weight > 0 || options.normal_weight > 0) {
-            const Points moved = smooth_shell(a, b, maps.b_from_a, 60 + 40 * round);
-            const Points normals = vertex_normals({moved, a.mesh.triangles});
-            maps = match_points(
-                a.all, b.all, functional,
-                {beside(fa, moved, options.position_weight, normals, options.normal_weight),
-                 beside(fb, b.mesh.vertices, options.position_weight, b.normals, options.normal_weight)});
-        } else {
-            maps = match_points(a.all, b.all, functional, {fa, fb});
-        }
+        const Points images = positions_of_images(b, maps.b_from_a);
+        moved = fit(images, round == 0 ? images : moved, options.iterations);
+        const Points normals = vertex_normals({moved, a.mesh.triangles});
+        maps = match_points(
+            a.all, b.all, functional,
+            {beside(features_a, moved, options.position_weight, normals, options.normal_weight), place_b});
     }
     return maps;
 }

@@ -6,11 +6,15 @@
 
 namespace counterpart::spectral_match {
 
+/// Weights are relative to the spectral coordinates, at unit area.
 struct RefineOptions {
-    float feature_weight = 3;
-    float position_weight = 0, normal_weight = 0;
-    int rounds = 3;
-    int last = 200;
+    int last = 200;                  ///< eigenfunctions of the last steps
+    float feature_weight = 3;        ///< of curvature and wave kernel, each of variance 1
+    float position_weight = 200;     ///< of positions after an elastic fit of A to its images
+    float normal_weight = 10;        ///< of the normals there
+    double stiffness_length = 0.15;  ///< the fit is rigid below this size
+    int iterations = 4;              ///< of the elastic fit in a round
+    int rounds = 4;
 };
 
 /// The candidate's map carried to all vertices of both shapes.

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/shape.hpp"
 
+#include "base/parallel.hpp"
+#include "geodesic/dijkstra.hpp"
+#include "match/spectral/partition.hpp"
+
 #include <counterpart/descriptor/curvature.hpp>
 #include <counterpart/descriptor/spectral_signatures.hpp>
 #include <counterpart/geodesic/base_vertices.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/measure.hpp>
+#include <counterpart/spectral/subspace_basis.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numbers>
 #include <numeric>
 #include <span>
 
@@ -32,14 +37,36 @@ TriangleMesh normalized(const TriangleMesh& mesh) {
 constexpr float unreachable = 10;
 
 MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources) {
-    MatrixF rows = distance_rows(graph, sources).cast<float>();
-    return rows.cwiseMin(unreachable);
+    MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
+    parallel_for_with(
+        sources.size(), 1, [&] { return Dijkstra(graph); },
+        [&](Dijkstra& dijkstra, std::size_t i) {
+            dijkstra.search(sources.subspan(i, 1), {});
+            for (Index v = 0; v < graph.n_vertices(); ++v)
+                rows(static_cast<Eigen::Index>(i), v) =
+                    std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
+        });
+    return rows;
 }
 
 void sample(Shape& shape, const DistanceGraph& graph, int count) {
-    shape.samples = base_vertices(shape.mesh, graph, {.count = static_cast<Index>(count)}).vertices;
+    BaseVertices bases = base_vertices(shape.mesh, graph, {.count = static_cast<Index>(count)});
+    shape.samples = std::move(bases.vertices);
+    shape.cell_of_vertex = std::move(bases.base_of_vertex);
+    for (Index& cell : shape.cell_of_vertex) cell = std::max(cell, 0);  // components without a sample
     const std::size_t n_rows = std::min<std::size_t>(n_distance_samples, shape.samples.size());
     shape.sample_distances = finite_rows(graph, std::span(shape.samples).first(n_rows));
+}
+
+EigenBasis basis_of(const Shape& shape, const DistanceGraph& graph, int n_functions) {
+    if (shape.mesh.n_vertices() <= large_mesh) return eigen_basis(shape.laplacian, n_functions);
+    const auto n_locals = static_cast<Index>(std::max(3000, 10 * n_functions));
+    const BaseVertices locals = base_vertices(shape.mesh, graph, {.count = n_locals});
+    // Three times the radius of a disk that is a sample's share of the unit area.
+    const double radius = 3 / std::sqrt(std::numbers::pi * n_locals);
+    return subspace_eigen_basis(shape.laplacian,
+                                partition_of_unity(graph, locals.vertices, locals.base_of_vertex, radius),
+                                n_functions);
 }
 
 // Local maxima of the average distance, suppressed outwards from the highest.
@@ -117,8 +144,9 @@ Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
     const DistanceGraph graph(shape.mesh);
     sample(shape, graph, options.n_samples);
     find_extremities(shape, graph);
-    const LaplaceBeltrami laplacian = laplace_beltrami(shape.mesh);
-    shape.basis = eigen_basis(laplacian, options.n_functions);
+    shape.laplacian = laplace_beltrami(shape.mesh);
+    const LaplaceBeltrami& laplacian = shape.laplacian;
+    shape.basis = basis_of(shape, graph, options.n_functions);
     shape.all.functions = shape.basis.eigenfunctions.cast<float>();
     shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
     shape.normals = vertex_normals(shape.mesh);

@@ -28,6 +28,7 @@ struct Shape {
     bool was_inside_out = false;
     bool flat = false;
     Index n_components = 1;
+    LaplaceBeltrami laplacian;
     EigenBasis basis;
     SpectralPoints all;  // at every vertex
     Points normals;
@@ -36,12 +37,15 @@ struct Shape {
     Eigen::MatrixXd wave_kernel;  // V x 40
     OrientationTensor orientation;
     std::vector<Index> samples;          // farthest points, in that order
+    std::vector<Index> cell_of_vertex;   // number of the nearest sample
     MatrixF sample_distances;            // n_distance_samples x V: rows of the first samples
     std::vector<Extremity> extremities;  // most distant first
     MatrixF extremity_distances;         // extremities x V
 };
 
 constexpr int n_distance_samples = 150;
+/// Above this the basis comes from a subspace and vertices are matched near their samples' images only.
+constexpr Index large_mesh = 20000;
 
 Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options);
 

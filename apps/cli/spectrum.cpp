@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+#include "console.hpp"
+
+#include <counterpart/io/npy.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
+
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+struct SpectrumCommand {
+    CommonOptions common;
+    std::filesystem::path mesh, eigenvalues, functions;
+    int count = 100;
+};
+
+void run(const SpectrumCommand& command) {
+    const TriangleMesh mesh = load_mesh(command.mesh, command.common);
+    const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
+    const EigenBasis basis = eigen_basis(laplacian, command.count);
+    write_npy(basis.eigenvalues, command.eigenvalues);
+    if (!command.functions.empty()) write_npy(basis.eigenfunctions, command.functions);
+    say(command.common,
+        fmt::format("{} eigenvalues from {:.6g} to {:.6g} (1 / squared mesh units) -> {}", basis.size(),
+                    basis.eigenvalues[0], basis.eigenvalues[basis.size() - 1], command.eigenvalues.string()));
+    write_report({{"command", "spectrum"},
+                  {"mesh", command.mesh.string()},
+                  {"vertices", mesh.n_vertices()},
+                  {"components", laplacian.n_components},
+                  {"flipped_edges", laplacian.n_flips},
+                  {"edges_treated_as_boundary", laplacian.n_cut_edges},
+                  {"eigenvalues", std::vector<double>(basis.eigenvalues.begin(), basis.eigenvalues.end())}},
+                 command.common);
+}
+
+}  // namespace
+
+void add_spectrum(CLI::App& program) {
+    auto command = std::make_shared<SpectrumCommand>();
+    CLI::App* spectrum =
+        program.add_subcommand("spectrum", "Laplace eigenvalues and eigenfunctions of a mesh");
+    spectrum->add_option("MESH", command->mesh, "Mesh file")->required();
+    spectrum->add_option("-o,--output", command->eigenvalues, "Eigenvalues, one column (.npy)")->required();
+    spectrum->add_option("--functions", command->functions, "Eigenfunctions, vertices x count (.npy)")
+        ->type_name("FILE");
+    spectrum->add_option("--count", command->count, "How many")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    add_common_options(*spectrum, command->common);
+    spectrum->callback([command] { run(*command); });
+}
+
+}  // namespace counterpart::cli

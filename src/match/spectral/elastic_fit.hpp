@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/spectral/laplacian.hpp>
+
+#include <memory>
+
+namespace counterpart::spectral_match {
+
+/// Moves a surface towards given positions while its neighbourhoods stay as rigid as possible (Sorkine and
+/// Alexa 2007, with soft positions). Keeps the factorized system, so further fits of one surface are cheap.
+class ElasticFit {
+  public:
+    /// Positions are followed on features longer than `stiffness_length`, rigidity holds below it. Mesh
+    /// units.
+    ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, double stiffness_length);
+    ~ElasticFit();
+
+    /// Lowers sum w_ij |(x_i - x_j) - R_i (rest_i - rest_j)|^2 + mu sum m_i |x_i - towards_i|^2 in turns over
+    /// rotations and positions, from x = `start`.
+    Points operator()(const Points& towards, const Points& start, int iterations) const;
+
+  private:
+    struct System;
+    std::unique_ptr<System> system_;
+};
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/disguise.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/spectral.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+using test::mirrored;
+using test::moved;
+using test::shuffled;
+
+// A sphere with five unequal bumps: no symmetry, extremities, cheap.
+TriangleMesh bumpy_sphere(int subdivisions) {
+    TriangleMesh mesh = make_icosphere(subdivisions);
+    Points directions(5, 3);
+    directions << 1, 0, 0, 0, 1, 0.1, -0.6, -0.5, 0.6, 0.1, -0.2, -1, -0.5, -0.9, -0.3;
+    directions.rowwise().normalize();
+    const double heights[] = {2.0, 1.6, 1.3, 1.0, 1.8};
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        double radius = 1;
+        for (int i = 0; i < 5; ++i)
+            radius += heights[i] * std::exp(-12 * (1 - mesh.vertices.row(v).dot(directions.row(i))));
+        mesh.vertices.row(v) *= radius;
+    }
+    return mesh;
+}
+
+const SpectralShapeOptions small{.basis_size = 60, .n_samples = 300};
+
+double mean_error(const VertexMap& map, const VertexMap& truth, const TriangleMesh& target) {
+    double sum = 0;
+    for (Index v = 0; v < map.source_size(); ++v)
+        sum += (target.vertices.row(map[v]) - target.vertices.row(truth[v])).norm();
+    return 100 * sum / map.source_size() / std::sqrt(surface_area(target));
+}
+
+std::string all_of(const std::vector<std::string>& sentences) {
+    std::string text;
+    for (const std::string& sentence : sentences) text += sentence + "\n";
+    return text;
+}
+
+TEST(MatchSpectral, RefusesBadInput) {
+    const TriangleMesh sphere = make_icosphere(2);
+    EXPECT_THROW(match_spectral({}, sphere), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, make_icosphere(0)), InvalidInput);  // 12 vertices
+    EXPECT_THROW(match_spectral(sphere, sphere, {}, {.basis_size = 10}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {}, {.n_samples = 10}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{0, 0}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{0, 0}, {1, 1}, {2, 9999}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.n_alternatives = -1}), InvalidInput);
+}
+
+TEST(MatchSpectral, FindsTheSameShapeShuffledAndMoved) {
+    const TriangleMesh source = bumpy_sphere(4);
+    const test::DisguisedMesh target = shuffled(moved(source, 3), 5);
+    const SpectralResult result = match_spectral(source, target.mesh, {}, small);
+    EXPECT_LT(mean_error(result.target_from_source, target.mesh_from_original, target.mesh), 1.0);
+    EXPECT_LT(mean_error(result.source_from_target, invert(target.mesh_from_original), source), 1.0);
+    EXPECT_EQ(result.confidence.size(), source.n_vertices());
+    EXPECT_GE(result.confidence.minCoeff(), 0);
+    EXPECT_LE(result.confidence.maxCoeff(), 1);
+    EXPECT_GT(result.confidence.mean(), 0.7);
+}
+
+TEST(MatchSpectral, SameForAnyNumberOfThreads) {
+    const TriangleMesh source = bumpy_sphere(3), target = moved(source, 2);
+    const SpectralResult one = match_spectral(source, target, {.n_threads = 1}, small);
+    const SpectralResult two = match_spectral(source, target, {.n_threads = 2}, small);
+    EXPECT_EQ(one.target_from_source, two.target_from_source);
+    EXPECT_EQ(one.confidence, two.confidence);
+}
+
+TEST(MatchSpectral, LandmarksReplaceTheSearch) {
+    const TriangleMesh source = bumpy_sphere(3);
+    std::vector<std::pair<Index, Index>> landmarks;
+    for (const Index v : {0, 5, 50, 99, 200, 333}) landmarks.emplace_back(v, v);
+    const SpectralResult result = match_spectral(source, moved(source, 1), {.landmarks = landmarks}, small);
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
+}
+
+TEST(MatchSpectral, InsideOutIsSaidAndMatched) {
+    const TriangleMesh source = bumpy_sphere(3);
+    TriangleMesh target = source;
+    target.triangles.col(1).swap(target.triangles.col(2));
+    const SpectralResult result = match_spectral(source, target, {}, small);
+    EXPECT_NE(all_of(result.warnings).find("inside out"), std::string::npos);
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
+}
+
+TEST(MatchSpectral, SymmetricMatchesTheMirrorImage) {
+    const TriangleMesh source = bumpy_sphere(3);
+    const SpectralResult result = match_spectral(source, mirrored(source), {.symmetric = true}, small);
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
+}
+
+TEST(MatchSpectral, SpheresAreSaidToBeAlikeFromEverySide) {
+    const SpectralResult result = match_spectral(make_icosphere(3), make_icosphere(3), {}, small);
+    EXPECT_NE(all_of(result.warnings).find("same from every side"), std::string::npos);
+}
+
+TEST(MatchSpectral, PlanesAreSaidToBeFlat) {
+    const SpectralResult result = match_spectral(make_grid(20, 10), make_grid(20, 10), {}, small);
+    EXPECT_NE(all_of(result.warnings).find("flat"), std::string::npos);
+}
+
+TEST(MatchSpectral, DustIsMatchedWithAWarning) {
+    TriangleMesh dust{Points(90, 3), Triangles(30, 3)};
+    for (Index t = 0; t < 30; ++t) {
+        for (int c = 0; c < 3; ++c) {
+            dust.vertices.row(3 * t + c) << t + (c == 1), t * t % 7 + (c == 2), t % 3;
+            dust.triangles(t, c) = 3 * t + c;
+        }
+    }
+    const SpectralResult result = match_spectral(dust, dust, {}, small);
+    EXPECT_NE(all_of(result.warnings).find("30 components"), std::string::npos);
+    EXPECT_EQ(count_matched(result.target_from_source), 90);
+}
+
+TEST(MatchSpectral, UnreferencedVerticesAndHolesDoNoHarm) {
+    TriangleMesh source = bumpy_sphere(3);
+    source.triangles.conservativeResize(source.n_triangles() - 20, 3);
+    source.vertices.conservativeResize(source.n_vertices() + 2, 3);
+    source.vertices.bottomRows(2).setConstant(5);
+    const SpectralResult result = match_spectral(source, bumpy_sphere(3), {}, small);
+    EXPECT_EQ(count_matched(result.target_from_source), source.n_vertices());
+    EXPECT_TRUE(result.confidence.allFinite());
+}
+
+TEST(MatchSpectral, SmallestMeshesPass) {
+    const SpectralResult result = match_spectral(make_grid(4, 3), make_torus(5, 4), {}, small);
+    EXPECT_EQ(count_matched(result.target_from_source), 20);
+}
+
+}  // namespace
+}  // namespace counterpart
