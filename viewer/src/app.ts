@@ -40,6 +40,8 @@ export class App {
   private pointer: { x: number; y: number } | null = null;
   private frame = 0;
   private meshesChanged = false;
+  /** Pictures of the meshes so far. */
+  frames = 0;
 
   constructor(private readonly scene: SceneData) {
     const view = new Quaternion().fromArray(scene.viewFromSource);
@@ -92,9 +94,8 @@ export class App {
     this.nameMeshes();
     new ResizeObserver(() => this.resize()).observe(this.stage.canvas);
     this.recolor();
-    this.resize();
     this.updateText();
-    this.draw();
+    this.resize();
   }
 
   // ---- for scripts ----
@@ -269,12 +270,15 @@ export class App {
   // ---- drawing ----
 
   private resize(): void {
-    this.stage.resize();
+    if (!this.stage.resize()) return;
     this.overlay.resize();
     for (const side of ["source", "target"] as const) {
       const { left, top } = this.stage.rectangle(side);
       Object.assign(element(`${side}-name`).style, { left: `${left + 10}px`, top: `${top + 8}px` });
     }
+    // The canvas is empty now: draw before it is shown, and only once if something else changed too.
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
     this.draw();
   }
 
@@ -296,6 +300,7 @@ export class App {
 
   private draw(): void {
     this.meshesChanged = false;
+    this.frames++;
     this.stage.draw();
     this.drawOverlay();
   }

@@ -48,11 +48,15 @@ export class Stage {
     this.renderer.setScissorTest(true);
   }
 
-  resize(): void {
-    this.width = Math.max(1, this.canvas.clientWidth);
-    this.height = Math.max(1, this.canvas.clientHeight);
+  /** Takes the canvas' size on the page; false if it is the one it had. */
+  resize(): boolean {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === this.width && height === this.height) return false;
+    this.width = Math.max(1, width);
+    this.height = Math.max(1, height);
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(this.width, this.height, false);
+    return true;
   }
 
   rectangle(side: Side): Rectangle {

@@ -35,6 +35,6 @@ export async function open(browser, file, options = {}) {
   page.on("request", (request) => requests.push(request.url()));
   const start = performance.now();
   await page.goto(`file://${file}`);
-  await page.waitForFunction(() => "counterpart" in window || document.getElementById("message")?.hidden === false);
+  await page.waitForFunction(() => window.counterpart?.frames > 0 || document.getElementById("message")?.hidden === false);
   return { page, context, complaints, requests, milliseconds: performance.now() - start };
 }
