@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
-#include "match/frontiers_component_match.hpp"
-#include "match/frontiers_components.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/component_match.hpp"
+#include "match/frontiers/components.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/stopwatch.hpp>

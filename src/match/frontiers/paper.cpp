@@ -4,7 +4,7 @@
 // Sahillioglu and Yemez, "3D Correspondence by Breadth-First Search Frontiers", section 4: whole frontiers,
 // each on its own and so in parallel.
 #include "base/parallel.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <counterpart/align/rigid.hpp>
 #include <counterpart/align/tps_rpm.hpp>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/side.hpp"
 
 #include "numerics/assignment.hpp"
 

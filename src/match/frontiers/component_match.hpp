@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/frontiers_components.hpp"
+#include "match/frontiers/components.hpp"
 
 #include <counterpart/base/stopwatch.hpp>
 #include <counterpart/match/frontiers.hpp>

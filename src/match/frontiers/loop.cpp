@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/frontiers_loop.hpp"
+#include "match/frontiers/loop.hpp"
 
 #include "frontier/hash_mixing.hpp"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/frontiers_components.hpp"
+#include "match/frontiers/components.hpp"
 
 #include "frontier/hash_mixing.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <counterpart/base/errors.hpp>
 

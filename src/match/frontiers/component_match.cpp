@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/frontiers_component_match.hpp"
+#include "match/frontiers/component_match.hpp"
 
 #include "base/parallel.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <counterpart/align/rigid.hpp>
 #include <counterpart/base/errors.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Several components of one connectivity: which is which is a matter of position.
-#include "match/frontiers_component_match.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/component_match.hpp"
+#include "match/frontiers/side.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
 #include <counterpart/align/rigid.hpp>

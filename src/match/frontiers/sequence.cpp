@@ -5,8 +5,8 @@
 // (connected pieces of a frontier) are paired first, then the vertices of each pair of loops: those that
 // connectivity tells apart at once, the rest by alignment. See docs/frontiers.md.
 #include "base/parallel.hpp"
-#include "match/frontiers_loop.hpp"
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/loop.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <counterpart/align/rigid.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/frontiers_side.hpp"
+#include "match/frontiers/side.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "frontier/hash_mixing.hpp"
-#include "match/frontiers_loop.hpp"
+#include "match/frontiers/loop.hpp"
 
 #include <counterpart/base/errors.hpp>
 
