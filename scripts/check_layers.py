@@ -23,6 +23,7 @@ MAY_INCLUDE = {
     "evaluation": ["base", "mesh", "map", "geodesic"],
     "transfer": ["base", "mesh", "map", "numerics", "align"],
     "view": ["base", "mesh", "map"],
+    "render": ["base", "mesh", "map", "geodesic", "frontier", "evaluation"],
 }
 INCLUDE = re.compile(r'^\s*#include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|Eigen/\w+)$")

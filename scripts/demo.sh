@@ -10,24 +10,25 @@ scripts/setup.sh
 cmake --preset release > /dev/null
 cmake --build --preset release --target counterpart_cli
 counterpart=build/release/counterpart
-folder=build/demo
+folder=demo
+downloads=build/demo
 mesh=${1:-elephant}
-mkdir -p "$folder"
+mkdir -p "$folder" "$downloads"
 
 # The archive with the meshes is installed with libcgal-demo; otherwise the package is unpacked without installing it.
 find_archive() {
   local path=usr/share/doc/libcgal-dev/data.tar.gz
-  for root in / "$folder/package/"; do
+  for root in / "$downloads/package/"; do
     [ -f "$root$path" ] && { echo "$root$path"; return; }
   done
   command -v apt-get > /dev/null || return 0
   (
-    cd "$folder"
+    cd "$downloads"
     export LC_ALL=C
     timeout 180 apt-get -qq -o Acquire::Retries=1 -o Acquire::http::Timeout=15 download libcgal-demo &&
       dpkg -x libcgal-demo_*.deb package && rm -f libcgal-demo_*.deb
   ) > /dev/null 2>&1 || true
-  [ -f "$folder/package/$path" ] && echo "$folder/package/$path"
+  [ -f "$downloads/package/$path" ] && echo "$downloads/package/$path"
   return 0
 }
 
@@ -52,7 +53,12 @@ echo "3. Which vertex of the target is each vertex of the source?"
 
 echo "4. Compared with the truth, which the matcher did not see:"
 "$counterpart" evaluate "$folder/source.off" "$folder/target.off" "$folder/map.txt" --truth "$folder/truth.txt" 2>&1 | sed 's/^/     /'
-echo "5. A page that shows both meshes and the map; open it in a browser:"
-"$counterpart" view "$folder/source.off" "$folder/target.off" --map "$folder/map.txt" --truth "$folder/truth.txt" \
-  -o "$folder/view.html" 2>&1 | sed 's/^/     /'
+echo "5. Pictures of it, beside the naive method, and a page that shows both meshes; open it in a browser:"
+pair=("$folder/source.off" "$folder/target.off")
+"$counterpart" match "${pair[@]}" --method nearest -o "$folder/nearest.txt" --quiet
+"$counterpart" render "${pair[@]}" --map "$folder/map.txt" -o "$folder/match.png" --quiet
+"$counterpart" render "${pair[@]}" --map "$folder/map.txt" --map "$folder/nearest.txt" --truth "$folder/truth.txt" \
+  --show curve -o "$folder/curve.png" --quiet
+"$counterpart" view "${pair[@]}" --map "$folder/map.txt" --truth "$folder/truth.txt" -o "$folder/view.html" --quiet
+printf '     %s\n' "$folder/match.png" "$folder/curve.png" "$folder/view.html"
 echo "All files are in $folder."

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     counterpart::cli::add_descriptors(program);
     counterpart::cli::add_distances(program);
     counterpart::cli::add_reorder(program);
+    counterpart::cli::add_render(program);
     counterpart::cli::add_evaluate(program);
     counterpart::cli::add_project(program);
     counterpart::cli::add_morph(program);

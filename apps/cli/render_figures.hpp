@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// The figures `counterpart render` makes, one function each.
+#pragma once
+
+#include "console.hpp"
+
+#include <counterpart/evaluation/ground_truth.hpp>
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/render/charts.hpp>
+#include <counterpart/render/map_figures.hpp>
+#include <counterpart/render/mesh_figures.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpart::cli {
+
+/// What the command line asks for, files already read and checked against each other.
+struct RenderRequest {
+    CommonOptions common;
+    TriangleMesh source;
+    std::optional<TriangleMesh> target;
+    std::vector<VertexMap> maps;  ///< target from source
+    std::vector<std::string> labels;
+    std::optional<GroundTruth> truth;
+
+    int width = 1600, height = 1000;
+    ViewOptions view;
+    Index vertex = -1, target_vertex = -1;
+    Index every = 5, n_bases = 100, frontier = -1;
+    bool dots = false;
+    double radius = 0, max_error = 0;
+    LineOptions lines;
+    Colormap colormap = Colormap::magma;
+
+    /// The meshes from left to right, turned alike.
+    std::vector<PlacedMesh> placed() const;
+    Image paint(const Scene& scene, int bottom = 0) const;
+};
+
+struct Figure {
+    std::string name;
+    std::string summary;  ///< for --help
+    bool needs_target = false, needs_map = false, needs_truth = false;
+    std::function<Image(const RenderRequest&)> draw;
+    /// Instead of draw: a diagram, which can be SVG as well.
+    std::function<Drawing(const RenderRequest&)> diagram{};
+};
+
+std::vector<Figure> map_figures();
+std::vector<Figure> mesh_figures();
+std::vector<Figure> frontier_figures();
+
+/// --vertex, or the tip of the source; its partner by --target-vertex or the map, or the tip of the target.
+std::vector<Index> chosen_vertices(const RenderRequest& request);
+
+}  // namespace counterpart::cli

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "render_figures.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace counterpart::cli {
+namespace {
+
+Image draw_texture(const RenderRequest& request, Texture texture) {
+    const std::vector<PlacedMesh> placed = request.placed();
+    return request.paint(texture_scene(placed[0], placed[1], request.maps[0], texture));
+}
+
+Image draw_lines(const RenderRequest& request) {
+    const std::vector<PlacedMesh> placed = request.placed();
+    return request.paint(line_scene(placed[0], placed[1], request.maps[0], request.lines));
+}
+
+EvaluationReport score(const RenderRequest& request, const VertexMap& map, std::vector<double> thresholds) {
+    EvaluationOptions options;
+    options.thresholds = std::move(thresholds);
+    options.n_threads = request.common.threads;
+    options.progress = progress_bar("measuring", request.common);
+    return evaluate(map, *request.truth, request.source, *request.target, options);
+}
+
+/// Mean error of the pairs that name each vertex, NaN for vertices in none; unmatched pairs do not count.
+Vector errors_at(const GroundTruth& truth, const Vector& error, Index n_vertices, bool at_source) {
+    Vector sum = Vector::Zero(n_vertices), count = Vector::Zero(n_vertices);
+    for (std::size_t i = 0; i < truth.pairs.size(); ++i) {
+        const Index v = at_source ? truth.pairs[i].first : truth.pairs[i].second;
+        const double e = error[static_cast<Eigen::Index>(i)];
+        if (!std::isnan(e)) sum[v] += e, count[v] += 1;
+    }
+    return sum.binaryExpr(
+        count, [](double s, double n) { return n > 0 ? s / n : std::numeric_limits<double>::quiet_NaN(); });
+}
+
+/// Fills vertices without a value from their neighbours.
+Vector filled(const Vector& values, const TriangleMesh& mesh) {
+    return carry(values.replicate(1, 3), identity_map(mesh.n_vertices()), mesh).col(0);
+}
+
+Image draw_error(const RenderRequest& request) {
+    const EvaluationReport report = score(request, request.maps[0], {});
+    const Vector error = report.error * (100 / std::sqrt(report.target_area));
+    // An end of the scale that a few outliers do not decide, and that is round.
+    double max = request.max_error;
+    if (max == 0) {
+        const double high = std::isfinite(report.percentile_95_error) ? report.percentile_95_error : 1;
+        for (max = 1; max < high; max *= max == 2 || max == 20 ? 2.5 : 2) {
+        }
+    }
+    const std::vector<PlacedMesh> placed = request.placed();
+    Scene scene;
+    for (int side = 0; side < 2; ++side) {
+        const PlacedMesh& mesh = placed[static_cast<std::size_t>(side)];
+        const Vector values = errors_at(*request.truth, error, mesh.mesh.n_vertices(), side == 0);
+        scene.surfaces.push_back(value_surface(mesh, filled(values, mesh.mesh), max, request.colormap));
+    }
+    const double text = std::max(11.0, request.height / 45.0);
+    Image image = request.paint(scene, static_cast<int>(4.2 * text));
+    Drawing drawing{request.width, request.height, {}};
+    add_color_bar(drawing,
+                  {0.33 * request.width, request.height - 4.4 * text, 0.34 * request.width, 0.8 * text,
+                   request.colormap, max, "geodesic error x 100 / sqrt(target area)", text});
+    counterpart::draw(drawing, image);
+    return image;
+}
+
+Drawing draw_curve(const RenderRequest& request) {
+    double max = request.max_error;
+    std::vector<ErrorCurve> curves;
+    if (max == 0) {  // as far as the worst of the maps needs, within reason
+        for (const VertexMap& map : request.maps) {
+            const double high = score(request, map, {}).percentile_95_error;
+            if (std::isfinite(high)) max = std::max(max, high);
+        }
+        max = std::clamp(5 * std::ceil(1.2 * max / 5), 5.0, 100.0);
+    }
+    constexpr int steps = 200;
+    std::vector<double> thresholds;
+    for (int i = 0; i <= steps; ++i) thresholds.push_back(max * i / steps);
+    for (std::size_t i = 0; i < request.maps.size(); ++i) {
+        const EvaluationReport report = score(request, request.maps[i], thresholds);
+        curves.push_back({request.labels[i], report.thresholds, report.fraction_within, report.mean_error});
+    }
+    return error_chart(curves, {.width = request.width, .height = request.height, .max_error = max});
+}
+
+}  // namespace
+
+std::vector<Figure> map_figures() {
+    return {{"colors", "the source painted by position, the paint carried to the target", true, true, false,
+             [](const RenderRequest& r) { return draw_texture(r, Texture::colors); }},
+            {"checker", "the same with squares, in which stretch and tears show", true, true, false,
+             [](const RenderRequest& r) { return draw_texture(r, Texture::checker); }},
+            {"lines", "lines between matched points", true, true, false, draw_lines},
+            {"error", "distance from the truth as colours, on both meshes", true, true, true, draw_error},
+            {"curve",
+             "share of vertices within an error, for one or several maps; PNG or SVG",
+             true,
+             true,
+             true,
+             {},
+             draw_curve}};
+}
+
+}  // namespace counterpart::cli

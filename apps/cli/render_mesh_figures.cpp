@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "render_figures.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/geodesic/critical_points.hpp>
+#include <counterpart/geodesic/distances.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+Image draw_plain(const RenderRequest& request) {
+    Scene scene;
+    for (const PlacedMesh& placed : request.placed())
+        scene.surfaces.push_back(plain_surface(placed.mesh, placed.placement, {0.80, 0.74, 0.66}));
+    return request.paint(scene);
+}
+
+BaseVertices sample_bases(const RenderRequest& request, const TriangleMesh& mesh) {
+    BaseVertexOptions options;
+    options.count = request.n_bases;
+    options.radius = request.radius;
+    return base_vertices(mesh, DistanceGraph(mesh), options);
+}
+
+Image draw_bases(const RenderRequest& request) {
+    Scene scene;
+    for (const PlacedMesh& placed : request.placed())
+        add_base_vertices(scene, placed.mesh, placed.placement, sample_bases(request, placed.mesh));
+    return request.paint(scene);
+}
+
+/// Distances between the base vertices of the source, and between their images (or, without a map, between
+/// base vertices of the target's own): rows in the order of distance from the first, so that neighbouring
+/// rows are near.
+Image draw_matrix(const RenderRequest& request) {
+    const DistanceGraph graph(request.source);
+    std::vector<Index> bases = sample_bases(request, request.source).vertices;
+    const Vector from_tip = distances_from(graph, chosen_vertices(request)[0]);
+    std::sort(bases.begin(), bases.end(),
+              [&](Index a, Index b) { return std::pair(from_tip[a], a) < std::pair(from_tip[b], b); });
+    const auto matrix = [&](const TriangleMesh& mesh, const std::vector<Index>& rows) {
+        const Matrix all = distance_rows(DistanceGraph(mesh), rows, {.n_threads = request.common.threads});
+        Matrix square(rows.size(), rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            square.col(static_cast<Eigen::Index>(i)) = all.col(rows[i]);
+        return square;
+    };
+    std::vector<Matrix> matrices = {matrix(request.source, bases)};
+    std::vector<std::string> titles = {fmt::format("source: {} base vertices", bases.size())};
+    if (request.target) {
+        std::vector<Index> images;
+        for (const Index v : bases)
+            if (request.maps[0][v] != VertexMap::unmatched) images.push_back(request.maps[0][v]);
+        if (images.empty()) throw InvalidInput("the map matches none of the base vertices");
+        matrices.push_back(matrix(*request.target, images));
+        titles.push_back("target: the vertices they are mapped to");
+    }
+    return matrix_picture(matrices, titles, request.width, request.height);
+}
+
+Index tip(const TriangleMesh& mesh) { return critical_points(mesh, DistanceGraph(mesh)).vertices.at(0); }
+
+Index checked(Index v, const TriangleMesh& mesh, const char* option) {
+    if (v >= mesh.n_vertices())
+        throw InvalidInput(
+            fmt::format("{} {}: there are only {} vertices, counted from 0", option, v, mesh.n_vertices()));
+    return v;
+}
+
+}  // namespace
+
+std::vector<Index> chosen_vertices(const RenderRequest& request) {
+    std::vector<Index> vertices = {request.vertex >= 0 ? checked(request.vertex, request.source, "--vertex")
+                                                       : tip(request.source)};
+    if (!request.target) return vertices;
+    if (request.target_vertex >= 0) {
+        vertices.push_back(checked(request.target_vertex, *request.target, "--target-vertex"));
+    } else if (!request.maps.empty()) {
+        vertices.push_back(request.maps[0][vertices[0]]);
+        if (vertices[1] == VertexMap::unmatched)
+            throw InvalidInput(
+                fmt::format("the map leaves out vertex {}; choose another --vertex", vertices[0]));
+    } else {
+        vertices.push_back(tip(*request.target));
+    }
+    return vertices;
+}
+
+std::vector<Figure> mesh_figures() {
+    return {{"plain", "one or two meshes as they are", false, false, false, draw_plain},
+            {"bases", "base vertices (--bases, --radius) and their patches", false, false, false, draw_bases},
+            {"matrix", "distances between base vertices, beside those between their images", false, false,
+             false, draw_matrix}};
+}
+
+}  // namespace counterpart::cli
