@@ -120,7 +120,7 @@ Scene line_scene(const PlacedMesh& source, const PlacedMesh& target, const Verte
         scene.dots.push_back({to, dot, color});
         from.z() = front;
         if (right_normals(image, 2) > 0) to.z() = front;
-        scene.tubes.push_back({from, to, 0.22 * dot, color});
+        scene.tubes.push_back({from, to, std::max(0.002, 0.22 * dot), color});
     }
     return scene;
 }
