@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/edits.hpp"
-#include "match/island_classes.hpp"
-#include "match/island_pairing.hpp"
-#include "match/partial_growth.hpp"
+#include "match/exact/edits.hpp"
+#include "match/exact/island_classes.hpp"
+#include "match/exact/island_pairing.hpp"
+#include "match/exact/partial_growth.hpp"
 
 #include <counterpart/match/difference.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/combinatorial_map.hpp"
-#include "match/count.hpp"
-#include "match/island_assignment.hpp"
-#include "match/island_classes.hpp"
-#include "match/island_pairing.hpp"
-#include "match/linked_pairing.hpp"
+#include "match/exact/combinatorial_map.hpp"
+#include "match/exact/count.hpp"
+#include "match/exact/island_assignment.hpp"
+#include "match/exact/island_classes.hpp"
+#include "match/exact/island_pairing.hpp"
+#include "match/exact/linked_pairing.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial_growth.hpp"
+#include "match/exact/partial_growth.hpp"
 
-#include "match/walk.hpp"
+#include "match/exact/walk.hpp"
 
 #include <algorithm>
 #include <array>

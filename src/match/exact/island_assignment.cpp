@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/island_assignment.hpp"
+#include "match/exact/island_assignment.hpp"
 
 #include "numerics/assignment.hpp"
 #include "numerics/nearest_neighbors.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/symmetry_choice.hpp"
+#include "match/exact/symmetry_choice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/island_classes.hpp"
+#include "match/exact/island_classes.hpp"
 
 #include <algorithm>
 #include <bit>

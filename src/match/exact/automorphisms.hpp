@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/walk.hpp"
+#include "match/exact/walk.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Umeyama, "Least-squares estimation of transformation parameters between two point patterns", PAMI 1991.
-#include "match/similarity.hpp"
+#include "match/exact/similarity.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>

@@ -4,8 +4,8 @@
 // Which islands of two maps are the same but for numbering, and in how many ways.
 #pragma once
 
-#include "match/automorphisms.hpp"
-#include "match/walk.hpp"
+#include "match/exact/automorphisms.hpp"
+#include "match/exact/walk.hpp"
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 // isomorphism of islands or shows that there is none.
 #pragma once
 
-#include "match/combinatorial_map.hpp"
+#include "match/exact/combinatorial_map.hpp"
 
 #include <cstdint>
 #include <span>

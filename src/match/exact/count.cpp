@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/count.hpp"
+#include "match/exact/count.hpp"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/similarity.hpp"
+#include "match/exact/similarity.hpp"
 
 #include <functional>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/combinatorial_map.hpp"
+#include "match/exact/combinatorial_map.hpp"
 
 #include <counterpart/base/errors.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/edits.hpp"
+#include "match/exact/edits.hpp"
 
 #include <algorithm>
 #include <map>

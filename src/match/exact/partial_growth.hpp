@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/combinatorial_map.hpp"
+#include "match/exact/combinatorial_map.hpp"
 
 #include <utility>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/linked_pairing.hpp"
+#include "match/exact/linked_pairing.hpp"
 
-#include "match/count.hpp"
-#include "match/symmetry_choice.hpp"
+#include "match/exact/count.hpp"
+#include "match/exact/symmetry_choice.hpp"
 
 #include <counterpart/base/errors.hpp>
 

@@ -5,8 +5,8 @@
 // symmetric one lies. Geometry makes it.
 #pragma once
 
-#include "match/island_classes.hpp"
-#include "match/similarity.hpp"
+#include "match/exact/island_classes.hpp"
+#include "match/exact/similarity.hpp"
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/island_pairing.hpp"
+#include "match/exact/island_pairing.hpp"
 
 namespace counterpart {
 

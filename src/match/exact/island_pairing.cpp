@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/island_pairing.hpp"
+#include "match/exact/island_pairing.hpp"
 
-#include "match/island_assignment.hpp"
-#include "match/symmetry_choice.hpp"
+#include "match/exact/island_assignment.hpp"
+#include "match/exact/symmetry_choice.hpp"
 
 #include <algorithm>
 #include <limits>

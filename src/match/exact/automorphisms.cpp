@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/automorphisms.hpp"
+#include "match/exact/automorphisms.hpp"
 
 namespace counterpart {
 
