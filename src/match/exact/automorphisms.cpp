@@ -30,6 +30,13 @@ std::vector<Flag> flags_like(const CombinatorialMap& root_map, const std::vector
 
 namespace {
 
+AutomorphismGroup trivial_group(Flag root) {
+    AutomorphismGroup group;
+    group.orbit = {root};
+    group.parent = group.generator = {0};
+    return group;
+}
+
 class Search {
   public:
     Search(const CombinatorialMap& map, Index island, Flag root)
@@ -39,8 +46,7 @@ class Search {
           root_(root),
           first_(map.island_begin[static_cast<std::size_t>(island)]),
           size_(static_cast<std::size_t>(map.island_size(island))) {
-        group_.orbit = {root};
-        group_.parent = group_.generator = {0};
+        group_ = trivial_group(root);
         good_.assign(6 * size_, 0);
         bad_.assign(6 * size_, 0);
         good_[place(root)] = 1;
@@ -132,9 +138,10 @@ class Search {
 
 AutomorphismGroup find_automorphisms(const CombinatorialMap& map, const std::vector<Color>& colors,
                                      Index island, Flag root) {
-    return Search(map, island, root)
-        .run(flags_like(map, colors, root, map, colors, island, 0),
-             flags_like(map, colors, root, map, colors, island, 1));
+    const std::vector<Flag> even = flags_like(map, colors, root, map, colors, island, 0),
+                            odd = flags_like(map, colors, root, map, colors, island, 1);
+    if (even.size() == 1 && odd.empty()) return trivial_group(root);
+    return Search(map, island, root).run(even, odd);
 }
 
 }  // namespace counterpart

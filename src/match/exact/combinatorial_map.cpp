@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/exact/combinatorial_map.hpp"
 
+#include "match/exact/spatial_order.hpp"
+
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
@@ -12,125 +14,208 @@
 namespace counterpart {
 namespace {
 
-// One half-edge in the bucket of its smaller endpoint. Its flag's direction bit says that it runs from the
-// larger one.
-struct Entry {
-    Index other;
-    Flag flag;
-    bool operator<(const Entry& b) const { return other != b.other ? other < b.other : flag < b.flag; }
+// Triangles as the steps below go through them: the mesh's own, or renumbered.
+struct Corners {
+    const Index* vertex;  // at corner 3 t + c
+    std::size_t n_triangles, n_vertices;
+    std::array<Index, 4> around(std::size_t t) const {
+        const Index* const v = vertex + 3 * t;
+        return {v[0], v[1], v[2], v[0]};
+    }
 };
 
-// Valences are small, where insertion beats everything; a fan of thousands still must not cost their square.
-void sort_bucket(std::span<Entry> bucket) {
-    if (bucket.size() > 24) {
+class TwinFinder {
+  public:
+    explicit TwinFinder(const Corners& corners) : twin_(3 * corners.n_triangles, no_flag) {
+        collect(corners);
+        for (std::size_t v = 0; v < corners.n_vertices; ++v) {
+            const std::size_t begin = end_[v], size = end_[v + 1] - begin;
+            const bool paired = size <= 8            ? pair_by_comparison<8>(begin, size)
+                                : size <= most_small ? pair_by_comparison<most_small>(begin, size)
+                                                     : false;
+            if (!paired) pair_by_sorting(begin, size);
+        }
+    }
+    const std::vector<Flag>& twin() const { return twin_; }
+    // Two buffers of 3 n_triangles that are not needed any more: fresh memory is what large meshes wait for.
+    std::vector<Index> take_indices() { return std::move(other_); }
+    std::vector<Flag> take_flags() { return std::move(flag_); }
+    Index boundary_edges() const { return boundary_edges_; }
+    Index nonmanifold_edges() const { return nonmanifold_edges_; }
+
+  private:
+    static constexpr std::size_t most_small = 16;
+
+    // Half-edges meet in the bucket of their smaller endpoint (a counting sort): bucket v is end_[v] ..
+    // end_[v + 1], and there other_ is the larger endpoint. A flag's direction bit says that it comes from
+    // there.
+    void collect(const Corners& corners) {
+        end_.assign(corners.n_vertices + 2, 0);
+        const auto for_each_halfedge = [&](const auto& body) {
+            for (std::size_t t = 0; t < corners.n_triangles; ++t) {
+                const std::array<Index, 4> v = corners.around(t);
+                for (std::size_t c = 0; c < 3; ++c)
+                    if (v[c] != v[c + 1])  // a collapsed edge is a border
+                        body(v[c], v[c + 1], make_flag(static_cast<Index>(t), static_cast<int>(c)));
+            }
+        };
+        for_each_halfedge(
+            [&](Index a, Index b, Flag) { ++end_[static_cast<std::size_t>(std::min(a, b)) + 2]; });
+        for (std::size_t v = 0; v + 1 < end_.size(); ++v) end_[v + 1] += end_[v];
+        other_.resize(end_.back() + most_small);  // comparisons read whole blocks
+        flag_.resize(end_.back());
+        for_each_halfedge([&](Index a, Index b, Flag f) {
+            const std::uint32_t place = end_[static_cast<std::size_t>(std::min(a, b)) + 1]++;
+            other_[place] = std::max(a, b);
+            flag_[place] = f | (a > b ? 1U : 0U);
+        });
+    }
+
+    // Opposite directions are the rule; equal ones mean that one of the two triangles is wound the other way
+    // round, and crossing the edge then changes the direction.
+    static Flag joined_to(Flag a, Flag b) { return (b & ~1U) | ((a & 1U) == (b & 1U) ? 1U : 0U); }
+
+    // Nearly all buckets are small and hold each edge once or twice. Comparing all with all then has no
+    // branch to predict, which in shuffled meshes costs more than the comparisons. False if an edge is there
+    // more often.
+    template <std::size_t block>
+    bool pair_by_comparison(std::size_t begin, std::size_t size) {
+        const Index* const other = other_.data() + begin;
+        std::array<Index, block> equal{}, sum{};  // how many are equal to i, and the sum of their numbers
+        for (std::size_t j = 0; j < size; ++j) {
+            const Index mine = other[j];
+            for (std::size_t i = 0; i < block; ++i) {
+                const Index same = other[i] == mine ? -1 : 0;
+                equal[i] -= same;
+                sum[i] += same & static_cast<Index>(j);
+            }
+        }
+        Index boundary = 0, more = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            boundary += equal[i] == 1 ? 1 : 0;
+            more += equal[i] > 2 ? 1 : 0;
+        }
+        if (more > 0) return false;
+        boundary_edges_ += boundary;
+        for (std::size_t i = 0; i < size; ++i) {
+            const Flag a = flag_[begin + i];
+            const std::size_t j = equal[i] == 2 ? static_cast<std::size_t>(sum[i]) - i : i;
+            const Flag b = flag_[begin + j];
+            twin_[halfedge_of(a)] = equal[i] == 2 ? joined_to(a, b) : no_flag;
+        }
+        return true;
+    }
+
+    // A fan of thousands must not cost their square.
+    void pair_by_sorting(std::size_t begin, std::size_t size) {
+        std::vector<std::pair<Index, Flag>> bucket(size);
+        for (std::size_t i = 0; i < size; ++i) bucket[i] = {other_[begin + i], flag_[begin + i]};
         std::sort(bucket.begin(), bucket.end());
-        return;
-    }
-    for (std::size_t i = 1; i < bucket.size(); ++i) {
-        const Entry entry = bucket[i];
-        std::size_t j = i;
-        for (; j > 0 && entry < bucket[j - 1]; --j) bucket[j] = bucket[j - 1];
-        bucket[j] = entry;
-    }
-}
-
-// Twins in the mesh's own numbering: half-edges meet in the bucket of their smaller endpoint (a counting
-// sort).
-std::vector<Flag> find_twins(const TriangleMesh& mesh, CombinatorialMap& map) {
-    const auto n_vertices = static_cast<std::size_t>(mesh.n_vertices());
-    std::vector<std::uint32_t> end(n_vertices + 2,
-                                   0);  // after the scatter, end[v + 1] is the end of bucket v
-    const auto for_each_halfedge = [&](const auto& body) {
-        for (Index t = 0; t < mesh.n_triangles(); ++t) {
-            const std::array<Index, 4> v{mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2),
-                                         mesh.triangles(t, 0)};
-            for (int c = 0; c < 3; ++c)
-                if (v[c] != v[c + 1]) body(v[c], v[c + 1], make_flag(t, c));  // a collapsed edge is a border
-        }
-    };
-    for_each_halfedge([&](Index a, Index b, Flag) { ++end[static_cast<std::size_t>(std::min(a, b)) + 2]; });
-    for (std::size_t v = 0; v + 1 < end.size(); ++v) end[v + 1] += end[v];
-    std::vector<Entry> entries(end.back());
-    for_each_halfedge([&](Index a, Index b, Flag f) {
-        entries[end[static_cast<std::size_t>(std::min(a, b)) + 1]++] = {std::max(a, b),
-                                                                        f | (a > b ? 1U : 0U)};
-    });
-
-    std::vector<Flag> twin(3 * static_cast<std::size_t>(mesh.n_triangles()), no_flag);
-    for (std::size_t v = 0; v < n_vertices; ++v) {
-        const std::span<Entry> bucket(entries.data() + end[v], entries.data() + end[v + 1]);
-        sort_bucket(bucket);
-        for (std::size_t i = 0, j = 0; i < bucket.size(); i = j) {
-            for (j = i + 1; j < bucket.size() && bucket[j].other == bucket[i].other;) ++j;
-            if (j - i == 1) ++map.boundary_edges;
-            if (j - i > 2) ++map.nonmanifold_edges;
+        for (std::size_t i = 0, j = 0; i < size; i = j) {
+            for (j = i + 1; j < size && bucket[j].first == bucket[i].first;) ++j;
+            if (j - i == 1) ++boundary_edges_;
+            if (j - i > 2) ++nonmanifold_edges_;
             if (j - i != 2) continue;
-            // Opposite directions are the rule; equal ones mean that one of the two triangles is wound the
-            // other way round, and crossing the edge then changes the direction.
-            const Flag a = bucket[i].flag, b = bucket[i + 1].flag;
-            const Flag same_way = (a & 1U) == (b & 1U) ? 1U : 0U;
-            twin[halfedge_of(a)] = (b & ~1U) | same_way;
-            twin[halfedge_of(b)] = (a & ~1U) | same_way;
+            const Flag a = bucket[i].second, b = bucket[i + 1].second;
+            twin_[halfedge_of(a)] = joined_to(a, b);
+            twin_[halfedge_of(b)] = joined_to(b, a);
         }
     }
-    return twin;
-}
+
+    std::vector<Flag> twin_;
+    std::vector<std::uint32_t> end_;
+    std::vector<Index> other_;
+    std::vector<Flag> flag_;
+    Index boundary_edges_ = 0, nonmanifold_edges_ = 0;
+};
 
 // Renumbers along breadth-first traversals. The queue is known some steps ahead, so what a step will touch is
-// fetched early: on a shuffled mesh nearly every access misses the caches.
-void traverse(const TriangleMesh& mesh, const std::vector<Flag>& twin, CombinatorialMap& map) {
-    const auto n = static_cast<std::size_t>(mesh.n_triangles());
-    constexpr std::size_t ahead = 8;
-    std::vector<Index> local_triangle(n, -1), local_vertex(static_cast<std::size_t>(mesh.n_vertices()), -1);
-    std::vector<Index>& order = map.input_triangle;
-    order.reserve(n);
-    map.twin.resize(3 * n);
-    map.corner.resize(3 * n);
-    const auto visit = [&](Index t) {
-        local_triangle[static_cast<std::size_t>(t)] = static_cast<Index>(order.size());
-        order.push_back(t);
-        __builtin_prefetch(&twin[3 * static_cast<std::size_t>(t)]);
-        __builtin_prefetch(&mesh.triangles(t, 0));
-    };
-    const auto fetch = [&](std::size_t k) {
-        const auto t = static_cast<std::size_t>(order[k]);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const Flag f = twin[3 * t + c];
-            if (f != no_flag) __builtin_prefetch(&local_triangle[static_cast<std::size_t>(f >> 3U)]);
-            __builtin_prefetch(
-                &local_vertex[static_cast<std::size_t>(mesh.triangles(order[k], static_cast<int>(c)))]);
+// fetched early: on a shuffled mesh nearly every access misses the caches. Whether a neighbour is new cannot
+// be predicted, so both cases take the same steps and write to the place behind the last.
+class Traversal {
+  public:
+    Traversal(const Corners& corners, const std::vector<Flag>& twin, CombinatorialMap& map)
+        : corners_(corners),
+          twin_(twin.data()),
+          local_triangle_(corners.n_triangles + 1, -1),
+          local_vertex_(corners.n_vertices, -1) {
+        local_triangle_.back() = 0;  // what is beyond a border is never new
+        map.input_triangle.resize(corners.n_triangles + 1);
+        map.input_vertex.resize(corners.n_vertices + 1);
+        map.twin.resize(3 * corners.n_triangles);
+        map.corner.resize(3 * corners.n_triangles);
+        for (std::size_t seed = 0; seed < corners.n_triangles; ++seed) {
+            if (local_triangle_[seed] >= 0) continue;
+            map.island_begin.push_back(static_cast<Index>(n_triangles_));
+            visit_island(seed, map);
         }
-    };
-    std::size_t done = 0;
-    for (std::size_t seed = 0; seed < n; ++seed) {
-        if (local_triangle[seed] >= 0) continue;
-        map.island_begin.push_back(static_cast<Index>(done));
-        visit(static_cast<Index>(seed));
-        for (; done < order.size(); ++done) {
-            if (done + ahead < order.size()) fetch(done + ahead);
+        map.island_begin.push_back(static_cast<Index>(n_triangles_));
+        map.input_triangle.resize(n_triangles_);
+        map.input_vertex.resize(n_vertices_);
+        for (std::size_t v = 0; v < corners.n_vertices; ++v)
+            if (local_vertex_[v] < 0) map.isolated.push_back(static_cast<Index>(v));
+    }
+
+  private:
+    void visit_island(std::size_t seed, CombinatorialMap& map) {
+        Index* const order = map.input_triangle.data();
+        Index* const vertices = map.input_vertex.data();
+        std::size_t done = n_triangles_;
+        local_triangle_[seed] = static_cast<Index>(n_triangles_);
+        order[n_triangles_++] = static_cast<Index>(seed);
+        for (; done < n_triangles_; ++done) {
+            fetch(order, done);
             const auto t = static_cast<std::size_t>(order[done]);
             for (std::size_t c = 0; c < 3; ++c) {
-                const Flag f = twin[3 * t + c];
-                if (f != no_flag && local_triangle[static_cast<std::size_t>(f >> 3U)] < 0)
-                    visit(triangle_of(f));
+                const Flag f = twin_[3 * t + c];
+                const std::size_t there = f == no_flag ? corners_.n_triangles : f >> 3U;
+                Index& triangle = local_triangle_[there];
+                const bool is_new = triangle < 0;
+                triangle = is_new ? static_cast<Index>(n_triangles_) : triangle;
+                order[n_triangles_] = static_cast<Index>(there);
+                n_triangles_ += is_new ? 1 : 0;
                 map.twin[3 * done + c] =
-                    f == no_flag
-                        ? no_flag
-                        : (static_cast<Flag>(local_triangle[static_cast<std::size_t>(f >> 3U)]) << 3U) |
-                              (f & 7U);
-                const Index v = mesh.triangles(static_cast<Index>(t), static_cast<int>(c));
-                Index& local = local_vertex[static_cast<std::size_t>(v)];
-                if (local < 0) {
-                    local = static_cast<Index>(map.input_vertex.size());
-                    map.input_vertex.push_back(v);
-                }
-                map.corner[3 * done + c] = local;
+                    f == no_flag ? no_flag : (static_cast<Flag>(triangle) << 3U) | (f & 7U);
+
+                const Index v = corners_.vertex[3 * t + c];
+                Index& vertex = local_vertex_[static_cast<std::size_t>(v)];
+                const bool is_new_vertex = vertex < 0;
+                vertex = is_new_vertex ? static_cast<Index>(n_vertices_) : vertex;
+                vertices[n_vertices_] = v;
+                n_vertices_ += is_new_vertex ? 1 : 0;
+                map.corner[3 * done + c] = vertex;
             }
         }
     }
-    map.island_begin.push_back(static_cast<Index>(done));
-    for (Index v = 0; v < mesh.n_vertices(); ++v)
-        if (local_vertex[static_cast<std::size_t>(v)] < 0) map.isolated.push_back(v);
+
+    // First the triangle, then what it points to.
+    void fetch(const Index* order, std::size_t done) const {
+        constexpr std::size_t ahead = 8;
+        if (done + 2 * ahead < n_triangles_) {
+            const auto t = static_cast<std::size_t>(order[done + 2 * ahead]);
+            __builtin_prefetch(&twin_[3 * t]);
+            __builtin_prefetch(&corners_.vertex[3 * t]);
+        }
+        if (done + ahead >= n_triangles_) return;
+        const auto t = static_cast<std::size_t>(order[done + ahead]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Flag f = twin_[3 * t + c];
+            if (f != no_flag) __builtin_prefetch(&local_triangle_[f >> 3U]);
+            __builtin_prefetch(&local_vertex_[static_cast<std::size_t>(corners_.vertex[3 * t + c])]);
+        }
+    }
+
+    const Corners& corners_;
+    const Flag* twin_;
+    std::vector<Index> local_triangle_, local_vertex_;
+    std::size_t n_triangles_ = 0, n_vertices_ = 0;
+};
+
+void name_by_input(const SpatialOrder& order, CombinatorialMap& map) {
+    for (Index& t : map.input_triangle) t = order.input_triangle[static_cast<std::size_t>(t)];
+    for (Index& v : map.input_vertex) v = order.input_vertex[static_cast<std::size_t>(v)];
+    for (Index& v : map.isolated) v = order.input_vertex[static_cast<std::size_t>(v)];
+    std::sort(map.isolated.begin(), map.isolated.end());
 }
 
 // Only where some edge is run along twice in one direction.
@@ -190,9 +275,21 @@ CombinatorialMap make_combinatorial_map(const TriangleMesh& mesh) {
         throw InvalidInput(fmt::format("the mesh has {} triangles; exact matching handles at most {}",
                                        mesh.n_triangles(), most));
     }
+    // Meshes that the last cache holds gain nothing from a better order.
+    constexpr Index cached = 1 << 20;
+    const bool reorder = mesh.n_triangles() > cached;
+    const SpatialOrder order = reorder ? make_spatial_order(mesh) : SpatialOrder{};
+    const Corners corners{reorder ? order.corner.data() : mesh.triangles.data(),
+                          static_cast<std::size_t>(mesh.n_triangles()),
+                          static_cast<std::size_t>(mesh.n_vertices())};
     CombinatorialMap map;
-    const std::vector<Flag> twin = find_twins(mesh, map);
-    traverse(mesh, twin, map);
+    TwinFinder twins(corners);
+    map.corner = twins.take_indices();
+    map.twin = twins.take_flags();
+    map.boundary_edges = twins.boundary_edges();
+    map.nonmanifold_edges = twins.nonmanifold_edges();
+    Traversal(corners, twins.twin(), map);
+    if (reorder) name_by_input(order, map);
     orient_islands(map);
     map.linked_vertices = map.n_islands() > 1 ? count_linked_vertices(map) : 0;
     return map;

@@ -33,6 +33,13 @@ inline Flag next(Flag f) {
     return f + static_cast<Flag>(step[f & 7U]);
 }
 inline Flag previous(Flag f) { return reversed(next(reversed(f))); }
+/// next() of next() ..., `steps` (0 to 2) times: without a loop, whose end could not be predicted.
+inline Flag next(Flag f, Flag steps) {
+    constexpr std::array<std::uint8_t, 24> low{0, 1, 2, 3, 4, 5, 0, 0, 2, 5, 4, 1,
+                                               0, 3, 0, 0, 4, 3, 0, 5, 2, 1, 0, 0};
+    return (f & ~7U) | low[8 * steps + (f & 7U)];
+}
+inline Flag corner_of(Flag f) { return (f >> 1U) & 3U; }
 
 /// Numbered along breadth-first traversals of its own, so that neighbours lie close in memory and every
 /// island (piece connected through manifold edges) is a range of triangles. Edges with more than two

@@ -32,46 +32,55 @@ std::vector<Color> vertex_colors(const CombinatorialMap& map, int rounds) {
     return colors;
 }
 
-Images Walker::walk(Index island_a, Flag root_a, Flag root_b) {
-    const Index first = a_.island_begin[static_cast<std::size_t>(island_a)], size = a_.island_size(island_a);
-    if (images_.size() < static_cast<std::size_t>(size))
-        images_.resize(static_cast<std::size_t>(size), no_flag);
-    // Image of corner 0, direction 0 of the root's triangle.
-    Flag g = root_b ^ direction_of(root_a);
-    for (Flag c = (root_a >> 1U) & 3U; c > 0; --c) g = previous(g);
-    images_[static_cast<std::size_t>(triangle_of(root_a) - first)] = g;
-    queue_.assign(1, triangle_of(root_a));
+// From the image of a flag to that of corner 0, direction 0 of its triangle.
+static Flag image_of_first(Flag flag, Flag image) {
+    const Flag corner = corner_of(flag);
+    return next(image ^ direction_of(flag), corner == 0 ? 0 : 3 - corner);
+}
 
-    const bool agree =
-        extend(first) && queue_.size() == static_cast<std::size_t>(size) && vertices_agree(first, size);
-    steps_ += queue_.size();
+Images Walker::walk(Index island_a, Flag root_a, Flag root_b) {
+    const Index first = a_.island_begin[static_cast<std::size_t>(island_a)];
+    const auto size = static_cast<std::size_t>(a_.island_size(island_a));
+    if (images_.size() < size) {
+        images_.resize(size, no_flag);
+        queue_.resize(size + 1);  // a step writes to the place behind the last, whether or not it stays
+    }
+    images_[static_cast<std::size_t>(triangle_of(root_a) - first)] = image_of_first(root_a, root_b);
+    queue_[0] = triangle_of(root_a);
+    visited_ = 1;
+
+    const bool agree = extend(first) && visited_ == size && vertices_agree(first, a_.island_size(island_a));
+    steps_ += visited_;
     Images result;
-    if (agree) result.assign(images_.begin(), images_.begin() + size);
-    for (const Index t : queue_) images_[static_cast<std::size_t>(t - first)] = no_flag;
+    if (agree) result.assign(images_.begin(), images_.begin() + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t k = 0; k < visited_; ++k) images_[static_cast<std::size_t>(queue_[k] - first)] = no_flag;
     return result;
 }
 
-// A map that respects every edge between connected islands of one size is onto, and so one-to-one.
+// A map that respects every edge between connected islands of one size is onto, and so one-to-one. Whether a
+// neighbour is new cannot be predicted, so both cases take the same steps.
 bool Walker::extend(Index first) {
-    for (std::size_t k = 0; k < queue_.size(); ++k) {
-        Flag f = make_flag(queue_[k], 0), g = images_[static_cast<std::size_t>(queue_[k] - first)];
-        for (int side = 0; side < 3; ++side, f = next(f), g = next(g)) {
+    Flag* const images = images_.data();
+    Index* const queue = queue_.data();
+    std::size_t visited = visited_;
+    bool agree = true;
+    for (std::size_t k = 0; k < visited && agree; ++k) {
+        Flag f = make_flag(queue[k], 0), g = images[queue[k] - first];
+        for (int side = 0; side < 3; ++side, f = next(f, 1), g = next(g, 1)) {
             const Flag over_f = a_.across(f), over_g = b_.across(g);
-            if ((over_f == no_flag) != (over_g == no_flag)) return false;
-            if (over_f == no_flag) continue;
-            // From the image of the flag across to that of its triangle's corner 0, direction 0.
-            Flag image = over_g ^ direction_of(over_f);
-            for (Flag c = (over_f >> 1U) & 3U; c > 0; --c) image = previous(image);
-            Flag& known = images_[static_cast<std::size_t>(triangle_of(over_f) - first)];
-            if (known == no_flag) {
-                known = image;
-                queue_.push_back(triangle_of(over_f));
-            } else if (known != image) {
-                return false;
-            }
+            agree = agree && (over_f == no_flag) == (over_g == no_flag);
+            if (over_f == no_flag || !agree) continue;
+            const Flag image = image_of_first(over_f, over_g);
+            Flag& known = images[triangle_of(over_f) - first];
+            const bool is_new = known == no_flag;
+            agree = is_new || known == image;
+            known = is_new ? image : known;
+            queue[visited] = triangle_of(over_f);
+            visited += is_new ? 1 : 0;
         }
     }
-    return true;
+    visited_ = visited;
+    return agree;
 }
 
 // Edges alone do not see that fans meet in one vertex (a pinch).
@@ -79,26 +88,25 @@ bool Walker::vertices_agree(Index first, Index size) {
     vertex_image_.resize(static_cast<std::size_t>(a_.n_vertices()), -1);
     vertex_origin_.resize(static_cast<std::size_t>(b_.n_vertices()), -1);
     bool agree = true;
-    const auto for_each_pair = [&](const auto& body) {
-        for (Index t = first; t < first + size; ++t) {
-            Flag g = images_[static_cast<std::size_t>(t - first)];
-            for (int c = 0; c < 3; ++c, g = next(g))
-                body(a_.corner[3 * static_cast<std::size_t>(t) + static_cast<std::size_t>(c)], b_.origin(g));
+    seen_.clear();
+    for (Index t = first; t < first + size && agree; ++t) {
+        Flag g = images_[static_cast<std::size_t>(t - first)];
+        for (std::size_t c = 0; c < 3; ++c, g = next(g, 1)) {
+            const Index a = a_.corner[3 * static_cast<std::size_t>(t) + c], b = b_.origin(g);
+            Index& image = vertex_image_[static_cast<std::size_t>(a)];
+            Index& origin = vertex_origin_[static_cast<std::size_t>(b)];
+            if (image < 0 && origin < 0) {
+                image = b;
+                origin = a;
+                seen_.push_back(a);
+            }
+            agree = agree && image == b && origin == a;
         }
-    };
-    for_each_pair([&](Index a, Index b) {
-        Index& image = vertex_image_[static_cast<std::size_t>(a)];
-        Index& origin = vertex_origin_[static_cast<std::size_t>(b)];
-        if (image < 0 && origin < 0) {
-            image = b;
-            origin = a;
-        }
-        agree = agree && image == b && origin == a;
-    });
-    for_each_pair([&](Index a, Index b) {
+    }
+    for (const Index a : seen_) {
+        vertex_origin_[static_cast<std::size_t>(vertex_image_[static_cast<std::size_t>(a)])] = -1;
         vertex_image_[static_cast<std::size_t>(a)] = -1;
-        vertex_origin_[static_cast<std::size_t>(b)] = -1;
-    });
+    }
     return agree;
 }
 

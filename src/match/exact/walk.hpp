@@ -41,9 +41,7 @@ using Images = std::vector<Flag>;
 
 /// Where any flag goes, given the images of the flags of the corners 0 of triangles first, first + 1, ...
 inline Flag image_of(std::span<const Flag> images, Index first, Flag f) {
-    Flag g = images[static_cast<std::size_t>(triangle_of(f) - first)];
-    for (Flag corner = (f >> 1U) & 3U; corner > 0; --corner) g = next(g);
-    return g ^ direction_of(f);
+    return next(images[static_cast<std::size_t>(triangle_of(f) - first)], corner_of(f)) ^ direction_of(f);
 }
 
 /// Walks islands of two maps simultaneously. Keeps its buffers for the next walk.
@@ -67,7 +65,8 @@ class Walker {
     const CombinatorialMap& b_;
     Images images_;
     std::vector<Index> queue_;
-    std::vector<Index> vertex_image_, vertex_origin_;
+    std::size_t visited_ = 0;  // triangles in the queue
+    std::vector<Index> vertex_image_, vertex_origin_, seen_;
     std::size_t steps_ = 0;
 };
 
