@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/nearest_neighbors.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/transfer/fill.hpp>
 
@@ -67,6 +69,22 @@ FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values)
     const Eigen::MatrixXd solution = solver.solve(right);
     for (Index i = 0; i < result.filled; ++i)
         result.values.row(unknown[static_cast<std::size_t>(i)]) = solution.row(i);
+    return result;
+}
+
+FillResult fill_everywhere(const TriangleMesh& mesh, const Matrix& values) {
+    FillResult result = fill_from_neighbors(Adjacency(mesh), values);
+    if (result.unknown == 0) return result;
+    std::vector<Index> known;
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (!values.row(v).hasNaN()) known.push_back(v);
+    if (known.empty()) throw InvalidInput("fill: no vertex has a value");
+    const NearestNeighbors neighbors(mesh.vertices(known, Eigen::all));
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        if (!result.values.row(v).hasNaN()) continue;
+        const Index nearest = neighbors.closest(mesh.vertices.row(v)).index;
+        result.values.row(v) = values.row(known[static_cast<std::size_t>(nearest)]);
+    }
     return result;
 }
 

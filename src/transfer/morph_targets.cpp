@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
+#include <counterpart/transfer/fill.hpp>
+#include <counterpart/transfer/local_linear_maps.hpp>
+#include <counterpart/transfer/morph_targets.hpp>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+
+CarriedMorphs carry_morphs(const SurfaceMap& source_from_target, const TriangleMesh& source,
+                           const TriangleMesh& target, const std::vector<MorphTarget>& morphs) {
+    require_valid(source_from_target, target.n_vertices(), source.n_triangles());
+    for (const MorphTarget& morph : morphs) {
+        if (morph.displacements.rows() != source.n_vertices()) {
+            throw InvalidInput(fmt::format("morph '{}' moves {} vertices, but the source has {}", morph.name,
+                                           morph.displacements.rows(), source.n_vertices()));
+        }
+        if (!morph.displacements.allFinite())
+            throw InvalidInput(fmt::format("morph '{}' holds a number that is not finite", morph.name));
+    }
+    CarriedMorphs result{{}, {.carried = count_matched(source_from_target)}};
+    if (result.coverage.carried == 0) throw InvalidInput("the map matches no vertex");
+    if (morphs.empty()) return result;
+    const std::vector<Eigen::Matrix3d> maps = local_linear_maps(source_from_target, source, target);
+
+    // All morphs side by side, so that one factorization fills them all.
+    Matrix moved(target.n_vertices(), 3 * static_cast<Eigen::Index>(morphs.size()));
+    for (std::size_t i = 0; i < morphs.size(); ++i) {
+        auto columns = moved.middleCols<3>(3 * static_cast<Eigen::Index>(i));
+        columns = pull_back(source_from_target, source, morphs[i].displacements);
+        for (Index v = 0; v < target.n_vertices(); ++v)
+            columns.row(v) = (columns.row(v) * maps[static_cast<std::size_t>(v)].transpose()).eval();
+    }
+    if (result.coverage.carried < target.n_vertices()) {
+        const FillResult filled = fill_from_neighbors(Adjacency(target), moved);
+        result.coverage.filled = filled.filled;
+        result.coverage.guessed = filled.unknown;
+        moved = filled.values.array().isNaN().select(0, filled.values);
+    }
+    for (std::size_t i = 0; i < morphs.size(); ++i)
+        result.morphs.push_back({morphs[i].name, moved.middleCols<3>(3 * static_cast<Eigen::Index>(i))});
+    return result;
+}
+
+}  // namespace counterpart
