@@ -22,6 +22,7 @@ struct DeformCommand {
     std::filesystem::path input, output, truth;
     double bend_degrees = 0, twist_degrees = 0;
     DeformOptions options;
+    BodyOptions body{.subdivisions = 3};
     std::uint64_t shuffle_seed = 0;  // 0 = do not
     bool move = false;
 };
@@ -30,7 +31,7 @@ void run(const DeformCommand& command) {
     if (!command.truth.empty() && command.shuffle_seed == 0)
         throw InvalidInput("--truth goes with --shuffle: without it, vertex i is vertex i");
     TriangleMesh mesh =
-        command.input == "body" ? make_body({.subdivisions = 3}) : load_mesh(command.input, command.common);
+        command.input == "body" ? make_body(command.body) : load_mesh(command.input, command.common);
     DeformOptions options = command.options;
     options.bend = command.bend_degrees * std::numbers::pi / 180;
     options.twist = command.twist_degrees * std::numbers::pi / 180;
@@ -85,6 +86,11 @@ void add_deform(CLI::App& program) {
         ->check(CLI::Range(0.0, 0.5))
         ->capture_default_str();
     deform->add_option("--seed", command->options.seed, "Of --warp and --move; 0 or more")
+        ->capture_default_str();
+    deform
+        ->add_option("--subdivisions", command->body.subdivisions,
+                     "Of the figure: with each its vertices are 4 times as many")
+        ->check(CLI::Range(0, 7))
         ->capture_default_str();
     deform->add_flag("--move", command->move, "Rotate at random, scale by 0.5 to 2, and move");
     deform->add_option(

@@ -7,7 +7,9 @@
 #include <counterpart/io/npy.hpp>
 #include <counterpart/match/spectral.hpp>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <sstream>
 
@@ -45,6 +47,10 @@ std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path&
                 fmt::format("{}, line {}: a landmark is two vertex numbers or two points (6 numbers)",
                             file.string(), number));
         if (values.size() == 2) {
+            for (const double value : values)
+                if (value != std::floor(value) || std::abs(value) > std::numeric_limits<Index>::max())
+                    throw IoError(
+                        fmt::format("{}, line {}: {} is not a vertex number", file.string(), number, value));
             landmarks.emplace_back(static_cast<Index>(values[0]), static_cast<Index>(values[1]));
         } else {
             landmarks.emplace_back(nearest_vertex(input.source, {values[0], values[1], values[2]}),
@@ -109,13 +115,21 @@ MatchMethod add_spectral_method(CLI::App& match) {
         ->group(group);
     match.add_flag("--symmetric", command->options.symmetric, "Return the mirrored map: left to right")
         ->group(group);
-    match.add_option("--basis-size", command->shape.basis_size, "Laplace eigenfunctions, 30 to 500")
+    match.add_option("--basis-size", command->shape.basis_size, "Laplace eigenfunctions")
+        ->check(CLI::Range(30, 500))
         ->capture_default_str()
         ->group(group);
-    match.add_option("--samples", command->shape.n_samples, "Points that maps are searched on, 200 to 5000")
+    match.add_option("--samples", command->shape.n_samples, "Points that maps are searched on")
+        ->check(CLI::Range(200, 5000))
         ->capture_default_str()
         ->group(group);
-    match.add_option("--alternatives", command->options.n_alternatives, "Runners-up to report, 0 to 10")
+    match
+        .add_option("--seed", command->shape.seed,
+                    "0: samples begin at the vertex farthest from the centre; else at a random one")
+        ->capture_default_str()
+        ->group(group);
+    match.add_option("--alternatives", command->options.n_alternatives, "Runners-up to report, with scores")
+        ->check(CLI::Range(0, 10))
         ->capture_default_str()
         ->group(group);
     match

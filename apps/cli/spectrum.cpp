@@ -15,7 +15,7 @@ namespace {
 
 struct SpectrumCommand {
     CommonOptions common;
-    std::filesystem::path mesh, eigenvalues, functions;
+    std::filesystem::path mesh, eigenvalues, functions, mass;
     int count = 100;
 };
 
@@ -24,7 +24,8 @@ void run(const SpectrumCommand& command) {
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
     const EigenBasis basis = eigen_basis(laplacian, command.count);
     write_npy(basis.eigenvalues, command.eigenvalues);
-    if (!command.functions.empty()) write_npy(basis.eigenfunctions, command.functions);
+    if (!command.functions.empty()) write_npy(Matrix(basis.eigenfunctions), command.functions);
+    if (!command.mass.empty()) write_npy(basis.mass, command.mass);
     say(command.common,
         fmt::format("{} eigenvalues from {:.6g} to {:.6g} (1 / squared mesh units) -> {}", basis.size(),
                     basis.eigenvalues[0], basis.eigenvalues[basis.size() - 1], command.eigenvalues.string()));
@@ -45,8 +46,10 @@ void add_spectrum(CLI::App& program) {
     CLI::App* spectrum =
         program.add_subcommand("spectrum", "Laplace eigenvalues and eigenfunctions of a mesh");
     spectrum->add_option("MESH", command->mesh, "Mesh file")->required();
-    spectrum->add_option("-o,--output", command->eigenvalues, "Eigenvalues, one column (.npy)")->required();
+    spectrum->add_option("-o,--output", command->eigenvalues, "Eigenvalues, a vector (.npy)")->required();
     spectrum->add_option("--functions", command->functions, "Eigenfunctions, vertices x count (.npy)")
+        ->type_name("FILE");
+    spectrum->add_option("--mass", command->mass, "Vertex areas, under which they are orthonormal (.npy)")
         ->type_name("FILE");
     spectrum->add_option("--count", command->count, "How many")
         ->check(CLI::Range(1, 1000))

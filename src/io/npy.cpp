@@ -140,6 +140,12 @@ Matrix read_npy(const std::filesystem::path& file) {
     return matrix;
 }
 
+void write_npy(const Vector& vector, const std::filesystem::path& file) {
+    std::string bytes = file_start("<f8", fmt::format("{},", vector.size()));
+    for (const double number : vector) append_number(bytes, number);
+    write_file(bytes, file);
+}
+
 void write_npy(std::span<const Index> numbers, const std::filesystem::path& file) {
     std::string bytes = file_start("<i4", fmt::format("{},", numbers.size()));
     for (const Index number : numbers) append_number(bytes, number);

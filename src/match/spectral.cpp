@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "match/spectral/doubts.hpp"
 #include "match/spectral/judgement.hpp"
 #include "match/spectral/refinement.hpp"
 
@@ -19,32 +20,33 @@ namespace {
 
 using namespace spectral_match;
 
-constexpr Index least_vertices = 20;
-constexpr double close_margin = 0.03, poor_score = 0.3;
+constexpr double close_margin = 0.03, poor_score = 0.3, mirror_margin = 0.1;
 
-void require_usable(const TriangleMesh& mesh, const SpectralShapeOptions& options) {
-    require_valid(mesh);
-    if (mesh.n_vertices() < least_vertices)
-        throw InvalidInput(fmt::format(
-            "spectral matching needs meshes of at least {} vertices, not {}: too few to carry eigenfunctions",
-            least_vertices, mesh.n_vertices()));
+ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)
         throw InvalidInput("the basis size must be from 30 to 500");
     if (options.n_samples < 200 || options.n_samples > 5000)
         throw InvalidInput("the number of samples must be from 200 to 5000");
+    return {.n_functions = options.basis_size, .n_samples = options.n_samples, .seed = options.seed};
 }
 
-void require_landmarks(const SpectralOptions& options, const Shape& source, const Shape& target) {
+// The options with their landmarks as vertices of the cores.
+SpectralOptions checked(SpectralOptions options, const Core& source, const Core& target) {
     if (options.n_alternatives < 0 || options.n_alternatives > 10)
         throw InvalidInput("the number of alternatives must be from 0 to 10");
     if (!options.landmarks.empty() && options.landmarks.size() < 3)
         throw InvalidInput(fmt::format("at least 3 landmarks are needed, not {}", options.landmarks.size()));
-    for (const auto& [s, t] : options.landmarks) {
-        if (s < 0 || s >= source.mesh.n_vertices() || t < 0 || t >= target.mesh.n_vertices())
+    const auto n_source = static_cast<Index>(source.core_of_input.size()),
+               n_target = static_cast<Index>(target.core_of_input.size());
+    for (auto& [s, t] : options.landmarks) {
+        if (s < 0 || s >= n_source || t < 0 || t >= n_target)
             throw InvalidInput(
                 fmt::format("landmark ({}, {}) is out of range: the meshes have {} and {} vertices", s, t,
-                            source.mesh.n_vertices(), target.mesh.n_vertices()));
+                            n_source, n_target));
+        s = source.core_of_input[static_cast<std::size_t>(s)];
+        t = target.core_of_input[static_cast<std::size_t>(t)];
     }
+    return options;
 }
 
 VertexMap vertex_map(std::vector<Index> image, const Shape& target) {
@@ -77,7 +79,6 @@ void add_warnings(SpectralResult& result, const Shape& source, const Shape& targ
 
 SpectralResult match_shapes(const Shape& source, const Shape& target, const SpectralOptions& options,
                             Stopwatch watch) {
-    require_landmarks(options, source, target);
     constexpr std::size_t n_coarse_samples = 300, n_middle_samples = 600, n_candidates = 12;
     const SampledPair coarse(source, target, n_coarse_samples);
     std::vector<Candidate> candidates = find_candidates(coarse, options.landmarks, n_candidates);
@@ -107,19 +108,42 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     return result;
 }
 
-SpectralResult match_either_side(const Shape& source, const Shape& target, const SpectralOptions& options,
-                                 Stopwatch watch) {
-    return options.symmetric ? match_shapes(source, mirrored(target), options, std::move(watch))
-                             : match_shapes(source, target, options, std::move(watch));
+// The matched parts' result as one of the whole inputs.
+SpectralResult between_inputs(SpectralResult result, const Core& source, const Core& target) {
+    result.target_from_source = between_inputs(result.target_from_source, source, target);
+    result.source_from_target = between_inputs(result.source_from_target, target, source);
+    for (SpectralAlternative& other : result.alternatives)
+        other.target_from_source = between_inputs(other.target_from_source, source, target);
+    result.confidence = Vector(result.confidence(source.core_of_input));
+    return result;
+}
+
+SpectralResult match_either_side(const Shape& source, const Shape& target, const SpectralOptions& given,
+                                 const Stopwatch& watch) {
+    const SpectralOptions options = checked(given, source.core, target.core);
+    if (options.symmetric)
+        return between_inputs(match_shapes(source, mirrored(target), options, watch), source.core,
+                              target.core);
+    SpectralResult result = match_shapes(source, target, options, watch);
+    // One inside out: wound the wrong way, or the mirror image of what it was. The better map tells.
+    if (source.core.was_inside_out != target.core.was_inside_out) {
+        SpectralResult other = match_shapes(source, mirrored(target), options, watch);
+        if (other.score > result.score + mirror_margin) {
+            other.warnings.push_back(fmt::format(
+                "one mesh is the mirror image of the other (score {:.2f} against {:.2f} as it is): "
+                "left is matched with what was left",
+                other.score, result.score));
+            result = std::move(other);
+        }
+    }
+    return between_inputs(std::move(result), source.core, target.core);
 }
 
 }  // namespace
 
 SpectralShape::SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options) {
-    require_usable(mesh, options);
-    data_ = with_threads(options.n_threads, [&] {
-        return std::make_shared<const Shape>(
-            prepare(mesh, {.n_functions = options.basis_size, .n_samples = options.n_samples}));
+    data_ = with_threads(options.n_threads, [&, shape = checked(options)] {
+        return std::make_shared<const Shape>(prepare(mesh, shape));
     });
 }
 
@@ -133,16 +157,13 @@ SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& 
 SpectralResult match_spectral(const TriangleMesh& source, const TriangleMesh& target,
                               const SpectralOptions& options, const SpectralShapeOptions& shape_options) {
     Stopwatch watch;
-    require_usable(source, shape_options);
-    require_usable(target, shape_options);
+    const ShapeOptions shape = checked(shape_options);
     return with_threads(options.n_threads, [&] {
-        const ShapeOptions shape{.n_functions = shape_options.basis_size,
-                                 .n_samples = shape_options.n_samples};
         std::optional<Shape> a, b;
         tbb::parallel_invoke([&] { a = prepare(source, shape); }, [&] { b = prepare(target, shape); });
         watch.lap("prepare");
         report(options.progress, 0.4);
-        return match_either_side(*a, *b, options, std::move(watch));
+        return match_either_side(*a, *b, options, watch);
     });
 }
 

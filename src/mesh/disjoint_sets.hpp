@@ -40,6 +40,9 @@ class DisjointSets {
         return true;
     }
 
+    /// Whether x has another colour than its root.
+    bool is_odd(Index x) { return parity_to_root(x); }
+
   private:
     Index& parent(Index x) { return parent_[static_cast<std::size_t>(x)]; }
     char& odd(Index x) { return odd_[static_cast<std::size_t>(x)]; }

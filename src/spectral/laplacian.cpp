@@ -5,6 +5,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
+#include <counterpart/mesh/measure.hpp>
 #include <counterpart/spectral/laplacian.hpp>
 
 #include <algorithm>
@@ -37,6 +38,20 @@ std::vector<Piece> pieces_with_area(const TriangleMesh& mesh, const Vector& mass
     }
     std::erase_if(pieces, [](const Piece& piece) { return piece.mass <= 0; });
     return pieces;
+}
+
+// A vertex without area would be a mode of its own, of eigenvalue 0. A spring to the nearest vertex of the
+// surface makes it follow that one.
+void tie_loose_vertices(Entries& entries, const TriangleMesh& mesh, const Vector& mass) {
+    std::vector<Index> solid;
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (mass[v] > 0) solid.push_back(v);
+    if (solid.size() == static_cast<std::size_t>(mesh.n_vertices())) return;
+    const NearestNeighbors search(mesh.vertices(solid, Eigen::all));
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (!(mass[v] > 0))
+            add_spring(entries, v,
+                       solid[static_cast<std::size_t>(search.closest(mesh.vertices.row(v)).index)], 1);
 }
 
 // A spring of weight w on a piece of mass m gives it a mode "this piece against the rest" of eigenvalue about
@@ -74,6 +89,8 @@ LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOption
     require_valid(mesh);
     if (!(options.mollification >= 0 && options.mollification <= 0.1))
         throw InvalidInput("laplace_beltrami: mollification must be in [0, 0.1]");
+    if (!(surface_area(mesh) > 0))  // mollification would give it some
+        throw InvalidInput("the mesh has no area: all its triangles are degenerate");
     IntrinsicTriangulation surface(mesh);
     if (options.mollification > 0) surface.mollify(options.mollification);
 
@@ -92,11 +109,11 @@ LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOption
         }
     }
     const double area = result.mass.sum();
-    if (!(area > 0)) throw InvalidInput("the mesh has no area: all its triangles are degenerate");
     const std::vector<Piece> pieces = pieces_with_area(mesh, result.mass);
     result.n_components = static_cast<Index>(pieces.size());
     if (options.bridge_components && pieces.size() > 1) add_bridges(entries, mesh, pieces, area);
-    // Unreferenced vertices get a mass too small to matter, so that the operator stays regular.
+    tie_loose_vertices(entries, mesh, result.mass);
+    // Vertices without area get a mass too small to matter, so that the operator stays regular.
     const double tiny = 1e-9 * area / static_cast<double>(mesh.n_vertices());
     result.mass = result.mass.cwiseMax(tiny);
     result.stiffness.resize(mesh.n_vertices(), mesh.n_vertices());

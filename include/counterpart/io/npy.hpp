@@ -18,6 +18,9 @@ void write_npy(const Matrix& matrix, const std::filesystem::path& file);
 /// either memory order; a vector becomes one column. Throws IoError naming the file and the reason.
 Matrix read_npy(const std::filesystem::path& file);
 
+/// Writes a vector as one-dimensional `.npy` (float64).
+void write_npy(const Vector& vector, const std::filesystem::path& file);
+
 /// Writes a vector of whole numbers as `.npy` (int32).
 void write_npy(std::span<const Index> numbers, const std::filesystem::path& file);
 /// Reads a one-dimensional `.npy` of int32 or int64. Throws IoError also for numbers that Index cannot hold.

@@ -6,6 +6,7 @@
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -20,13 +21,17 @@ struct Shape;
 struct SpectralShapeOptions {
     int basis_size = 200;  ///< Laplace eigenfunctions, 30 .. 500
     int n_samples = 1000;  ///< farthest-point samples that maps are searched on, 200 .. 5000
-    int n_threads = 0;     ///< 0 = all; the result does not depend on it
+    /// 0: sampling begins at the vertex farthest from the centre; else at one drawn from this seed. Good maps
+    /// hardly depend on it, so that a map that changes is a doubtful one.
+    std::uint64_t seed = 0;
+    int n_threads = 0;  ///< 0 = all; the result does not depend on it
 };
 
 /// What is computed for one mesh before the other is known, kept for matching it with many. Cheap to copy.
 class SpectralShape {
   public:
-    /// Throws InvalidInput for invalid meshes, for fewer than 20 vertices and for options out of range.
+    /// Throws InvalidInput for invalid meshes, without area or with fewer than 20 vertices at different
+    /// places, and for options out of range.
     explicit SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options = {});
 
     const spectral_match::Shape& data() const { return *data_; }

@@ -10,31 +10,6 @@
 #include <fmt/format.h>
 
 namespace counterpart::spectral_match {
-namespace {
-
-void doubts_of_one(const Shape& shape, const std::string& name, std::vector<std::string>& sentences) {
-    if (shape.was_inside_out)
-        sentences.push_back(
-            fmt::format("the {} is inside out: its triangles were turned around for the matching", name));
-    if (shape.n_components > 1)
-        sentences.push_back(fmt::format(
-            "the {} has {} components; the smaller ones are tied to the largest and matched roughly", name,
-            shape.n_components));
-    if (shape.flat)
-        sentences.push_back(fmt::format(
-            "the {} is flat: nothing tells its two sides apart, and mirrored maps are as good", name));
-    if (shape.basis.size() > 3) {
-        const double first = shape.basis.eigenvalues[1], third = shape.basis.eigenvalues[3];
-        if (third < 1.03 * first)
-            sentences.push_back(
-                fmt::format("the {} looks the same from every side (its lowest eigenvalues repeat): many "
-                            "maps are equally good, "
-                            "give landmarks to choose one",
-                            name));
-    }
-}
-
-}  // namespace
 
 Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double score) {
     const Adjacency adjacency(a.mesh);
@@ -66,13 +41,6 @@ std::string describe(const SampledPair& pair, const Candidate& best, const Candi
     if (moved > 0.6) return fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved);
     if (moved > 0.02) return fmt::format("another limb: {:.0f} % of the surface goes elsewhere", 100 * moved);
     return "a small shift along the surface";
-}
-
-std::vector<std::string> doubts(const Shape& source, const Shape& target) {
-    std::vector<std::string> sentences;
-    doubts_of_one(source, "source", sentences);
-    doubts_of_one(target, "target", sentences);
-    return sentences;
 }
 
 }  // namespace counterpart::spectral_match

@@ -17,7 +17,4 @@ Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double
 /// How `other` differs from `best`, in words.
 std::string describe(const SampledPair& pair, const Candidate& best, const Candidate& other);
 
-/// Sentences about what the two shapes themselves make doubtful.
-std::vector<std::string> doubts(const Shape& source, const Shape& target);
-
 }  // namespace counterpart::spectral_match

@@ -6,6 +6,8 @@
 #include "geodesic/dijkstra.hpp"
 #include "match/spectral/partition.hpp"
 
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/random.hpp>
 #include <counterpart/descriptor/curvature.hpp>
 #include <counterpart/descriptor/spectral_signatures.hpp>
 #include <counterpart/geodesic/base_vertices.hpp>
@@ -20,6 +22,7 @@
 #include <span>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -49,8 +52,11 @@ MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources) 
     return rows;
 }
 
-void sample(Shape& shape, const DistanceGraph& graph, int count) {
-    BaseVertices bases = base_vertices(shape.mesh, graph, {.count = static_cast<Index>(count)});
+void sample(Shape& shape, const DistanceGraph& graph, const ShapeOptions& options) {
+    const auto n = static_cast<std::uint64_t>(shape.mesh.n_vertices());
+    const Index first = options.seed == 0 ? -1 : static_cast<Index>(Random(options.seed).below(n));
+    BaseVertices bases =
+        base_vertices(shape.mesh, graph, {.count = static_cast<Index>(options.n_samples), .first = first});
     shape.samples = std::move(bases.vertices);
     shape.cell_of_vertex = std::move(bases.base_of_vertex);
     for (Index& cell : shape.cell_of_vertex) cell = std::max(cell, 0);  // components without a sample
@@ -135,14 +141,20 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
 }  // namespace
 
 Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
+    require_valid(mesh);
+    if (!(surface_area(mesh) > 0))
+        throw InvalidInput("the mesh has no area: all its triangles are degenerate");
     Shape shape;
-    shape.mesh = normalized(mesh);
-    if (signed_volume(shape.mesh) < 0) {
-        shape.mesh.triangles.col(1).swap(shape.mesh.triangles.col(2));
-        shape.was_inside_out = true;
-    }
+    shape.core = core_of(mesh);
+    if (shape.core.mesh.n_vertices() < least_vertices)
+        throw InvalidInput(
+            fmt::format("spectral matching needs meshes of at least {} vertices, not {}: too few to carry "
+                        "eigenfunctions; subdivide the mesh first",
+                        least_vertices, shape.core.mesh.n_vertices()));
+    shape.mesh = normalized(shape.core.mesh);
+    shape.core.mesh = {};
     const DistanceGraph graph(shape.mesh);
-    sample(shape, graph, options.n_samples);
+    sample(shape, graph, options);
     find_extremities(shape, graph);
     shape.laplacian = laplace_beltrami(shape.mesh);
     const LaplaceBeltrami& laplacian = shape.laplacian;
@@ -150,7 +162,6 @@ Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
     shape.all.functions = shape.basis.eigenfunctions.cast<float>();
     shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
     shape.normals = vertex_normals(shape.mesh);
-    shape.n_components = laplacian.n_components;
     shape.flat = is_flat(shape);
     shape.curvature = ranked(
         diffuse(clamped(mean_curvature(shape.mesh, laplacian)), shape.basis, {0.0005, 0.001, 0.003, 0.01}),

@@ -4,11 +4,13 @@
 // Everything that is computed for one surface before the other is known. All at unit area.
 #pragma once
 
+#include "match/spectral/core.hpp"
 #include "match/spectral/orientation.hpp"
 #include "spectral/bijective_zoom_out.hpp"
 
 #include <counterpart/spectral/eigen_basis.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace counterpart::spectral_match {
@@ -16,6 +18,7 @@ namespace counterpart::spectral_match {
 struct ShapeOptions {
     int n_functions = 200;
     int n_samples = 1000;
+    std::uint64_t seed = 0;  // not 0: samples begin at a random vertex instead of the farthest one
 };
 
 struct Extremity {
@@ -24,10 +27,9 @@ struct Extremity {
 };
 
 struct Shape {
+    Core core;          // how the mesh below came from the input; its own mesh is moved out
     TriangleMesh mesh;  // unit area, centred, wound outwards
-    bool was_inside_out = false;
     bool flat = false;
-    Index n_components = 1;
     LaplaceBeltrami laplacian;
     EigenBasis basis;
     SpectralPoints all;  // at every vertex
@@ -47,7 +49,10 @@ constexpr int n_distance_samples = 150;
 /// Above this the basis comes from a subspace and vertices are matched near their samples' images only.
 constexpr Index large_mesh = 20000;
 
+/// Throws InvalidInput for a mesh that require_valid refuses, without area, or of fewer than `least_vertices`
+/// different vertices.
 Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options);
+constexpr Index least_vertices = 20;
 
 /// The reflected shape, the same vertices.
 Shape mirrored(Shape shape);

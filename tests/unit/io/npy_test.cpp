@@ -36,6 +36,10 @@ TEST(Npy, MatricesAndVectorsRoundTrip) {
     EXPECT_EQ(read_npy_indices(folder / "b.npy"), numbers);
     EXPECT_EQ(read_npy(folder / "b.npy"), (Matrix{{3}, {-1}, {2147483647}}));
 
+    write_npy(Vector{{0.5, -2}}, folder / "d.npy");
+    EXPECT_EQ(read_npy(folder / "d.npy"), (Matrix{{0.5}, {-2}}));
+    EXPECT_EQ(std::filesystem::file_size(folder / "d.npy"), 128U + 16U);
+
     write_npy(Matrix(0, 3), folder / "c.npy");
     EXPECT_EQ(read_npy(folder / "c.npy").cols(), 3);
     const auto endless =

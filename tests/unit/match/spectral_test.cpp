@@ -97,6 +97,35 @@ TEST(MatchSpectral, InsideOutIsSaidAndMatched) {
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
 }
 
+TEST(MatchSpectral, AReflectedMeshIsSaidAndMatched) {
+    const TriangleMesh source = bumpy_sphere(3);
+    TriangleMesh target = source;
+    target.vertices.col(0) *= -1;  // the winding as it was: inside out now
+    const SpectralResult result = match_spectral(source, target, {}, small);
+    EXPECT_NE(all_of(result.warnings).find("mirror image"), std::string::npos);
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 2.0);
+}
+
+TEST(MatchSpectral, UnlikeShapesGetLittleConfidenceAndASentence) {
+    const SpectralResult result = match_spectral(bumpy_sphere(3), make_torus(40, 20), {}, small);
+    EXPECT_NE(all_of(result.warnings).find("may not be the same kind"), std::string::npos);
+    EXPECT_LT(result.confidence.maxCoeff(), 0.2);
+}
+
+TEST(MatchSpectral, MeshesWithoutAreaAreRefused) {
+    TriangleMesh needle = make_grid(6, 6);
+    needle.vertices.rightCols(2).setZero();
+    EXPECT_THROW(match_spectral(needle, make_icosphere(2), {}, small), InvalidInput);
+}
+
+TEST(MatchSpectral, AnotherSeedGivesNearlyTheSameMap) {
+    const TriangleMesh source = bumpy_sphere(3), target = moved(source, 2);
+    SpectralShapeOptions seeded = small;
+    seeded.seed = 17;
+    const SpectralResult result = match_spectral(source, target, {}, seeded);
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 1.0);
+}
+
 TEST(MatchSpectral, SymmetricMatchesTheMirrorImage) {
     const TriangleMesh source = bumpy_sphere(3);
     const SpectralResult result = match_spectral(source, mirrored(source), {.symmetric = true}, small);

@@ -3,6 +3,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 #include <counterpart/spectral/laplacian.hpp>
 
 #include <cmath>
@@ -23,6 +24,8 @@ TEST(Laplacian, RefusesWhatHasNoSurface) {
     EXPECT_THROW(laplace_beltrami({}), InvalidInput);
     TriangleMesh needle{Points::Zero(3, 3), Triangles(1, 3)};
     needle.triangles << 0, 1, 2;
+    EXPECT_THROW(laplace_beltrami(needle), InvalidInput);
+    needle.vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0;
     EXPECT_THROW(laplace_beltrami(needle), InvalidInput);
     EXPECT_THROW(laplace_beltrami(make_grid(2, 2), {.mollification = -1}), InvalidInput);
 }
@@ -73,6 +76,19 @@ TEST(Laplacian, NonManifoldEdgesActAsBoundary) {
     EXPECT_EQ(laplacian.n_cut_edges, 1);
     EXPECT_TRUE(laplacian.mass.allFinite());
     EXPECT_GT(laplacian.mass.minCoeff(), 0);
+}
+
+TEST(Laplacian, VerticesInNoTriangleFollowTheNearest) {
+    TriangleMesh mesh = make_torus(30, 20);
+    const Index n = mesh.n_vertices();
+    const EigenBasis plain = eigen_basis(mesh, 10);
+    mesh.vertices.conservativeResize(n + 2, 3);
+    mesh.vertices.row(n) = 1.001 * mesh.vertices.row(7);
+    mesh.vertices.row(n + 1) = 1.001 * mesh.vertices.row(300);
+    const EigenBasis loose = eigen_basis(mesh, 10);
+    EXPECT_LT((loose.eigenvalues - plain.eigenvalues).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((loose.eigenfunctions.row(n) - loose.eigenfunctions.row(7)).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_LT((loose.eigenfunctions.row(n + 1) - loose.eigenfunctions.row(300)).cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(Laplacian, BridgesTieComponents) {

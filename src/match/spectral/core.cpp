@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/core.hpp"
+
+#include "numerics/nearest_neighbors.hpp"
+
+#include <counterpart/mesh/adjacency.hpp>
+#include <counterpart/mesh/analyze.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/orient.hpp>
+#include <counterpart/mesh/weld.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace counterpart::spectral_match {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+bool is_degenerate(const TriangleMesh& mesh, Index t) {
+    const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
+    return a == b || b == c || c == a;
+}
+
+// Components of at least a hundredth of the area, the largest in any case.
+std::vector<char> large_components(const TriangleMesh& mesh, const Components& components, Core& core) {
+    constexpr double least_share = 0.01;
+    const Vector areas = triangle_areas(mesh);
+    std::vector<double> area(at(components.count), 0);
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        area[at(components.of_vertex[at(mesh.triangles(t, 0))])] += areas[t];
+    const double largest = *std::max_element(area.begin(), area.end());
+    const double all = std::accumulate(area.begin(), area.end(), 0.0);
+    std::vector<char> kept(area.size(), 0);
+    core.n_components = 0;
+    for (std::size_t c = 0; c < area.size(); ++c) {
+        if (area[c] >= std::min(least_share * all, largest)) {
+            kept[c] = 1;
+            ++core.n_components;
+        } else if (area[c] > 0) {
+            ++core.n_small_components;
+            core.small_share += area[c] / all;
+        }
+    }
+    return kept;
+}
+
+}  // namespace
+
+Core core_of(const TriangleMesh& mesh) {
+    Core core;
+    const WeldResult welded = weld(mesh);
+    core.n_joined = mesh.n_vertices() - welded.mesh.n_vertices();
+    const Components components = connected_components(Adjacency(welded.mesh));
+    const std::vector<char> kept = large_components(welded.mesh, components, core);
+
+    std::vector<char> referenced(at(mesh.n_vertices()), 0);
+    for (const Index v : mesh.triangles.reshaped()) referenced[at(v)] = 1;
+    core.n_unreferenced = static_cast<Index>(std::count(referenced.begin(), referenced.end(), 0));
+    std::vector<Index> number(at(welded.mesh.n_vertices()), -1);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        const Index w = welded.welded_from_original[at(v)];
+        if (!kept[at(components.of_vertex[at(w)])] || number[at(w)] >= 0) continue;
+        number[at(w)] = static_cast<Index>(core.input_of_core.size());
+        core.input_of_core.push_back(v);
+    }
+    TriangleMesh part{mesh.vertices(core.input_of_core, Eigen::all), {}};
+    std::vector<Index> triangles;
+    for (Index t = 0; t < welded.mesh.n_triangles(); ++t)
+        if (number[at(welded.mesh.triangles(t, 0))] >= 0 && !is_degenerate(welded.mesh, t))
+            triangles.push_back(t);
+    part.triangles =
+        welded.mesh.triangles(triangles, Eigen::all).unaryExpr([&](Index v) { return number[at(v)]; });
+
+    const NearestNeighbors nearest(part.vertices);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        const Index own = number[at(welded.welded_from_original[at(v)])];
+        core.core_of_input.push_back(own >= 0 ? own : nearest.closest(mesh.vertices.row(v)).index);
+    }
+    const MeshReport report = analyze(part);
+    core.n_boundary_loops = report.n_boundary_loops;
+    core.n_nonmanifold_edges = report.n_nonmanifold_edges;
+    OrientResult oriented = orient(part);
+    core.mesh = std::move(oriented.mesh);
+    core.n_disagreeing = oriented.n_disagreeing;
+    core.n_one_sided = oriented.n_one_sided;
+    core.was_inside_out = oriented.was_inside_out;
+    return core;
+}
+
+VertexMap between_inputs(const VertexMap& map, const Core& source, const Core& target) {
+    VertexMap result{{}, static_cast<Index>(target.core_of_input.size())};
+    for (const Index v : source.core_of_input) result.image.push_back(target.input_of_core[at(map[v])]);
+    return result;
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/core.hpp"
+
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+using spectral_match::Core;
+using spectral_match::core_of;
+
+std::vector<Index> counting(Index n) {
+    std::vector<Index> numbers(static_cast<std::size_t>(n));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+TriangleMesh beside(const TriangleMesh& a, const TriangleMesh& b) {
+    TriangleMesh mesh{Points(a.n_vertices() + b.n_vertices(), 3),
+                      Triangles(a.n_triangles() + b.n_triangles(), 3)};
+    mesh.vertices << a.vertices, b.vertices;
+    mesh.triangles << a.triangles, (b.triangles.array() + a.n_vertices()).matrix();
+    return mesh;
+}
+
+TEST(SpectralCore, IsTheWholeOfAGoodMesh) {
+    const TriangleMesh torus = make_torus(12, 8);
+    const Core core = core_of(torus);
+    EXPECT_EQ(core.mesh.vertices, torus.vertices);
+    EXPECT_EQ(core.mesh.triangles, torus.triangles);
+    EXPECT_EQ(core.core_of_input, counting(96));
+    EXPECT_EQ(core.input_of_core, counting(96));
+    EXPECT_EQ(core.n_joined + core.n_unreferenced + core.n_small_components + core.n_boundary_loops, 0);
+    EXPECT_EQ(core.n_components, 1);
+}
+
+TEST(SpectralCore, JoinsASoupOfTriangles) {
+    const TriangleMesh ball = make_icosphere(2);
+    TriangleMesh soup{Points(3 * ball.n_triangles(), 3), Triangles(ball.n_triangles(), 3)};
+    for (Index t = 0; t < ball.n_triangles(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            soup.vertices.row(3 * t + c) = ball.vertices.row(ball.triangles(t, c));
+            soup.triangles(t, c) = 3 * t + c;
+        }
+    }
+    const Core core = core_of(soup);
+    EXPECT_EQ(core.mesh.n_vertices(), ball.n_vertices());
+    EXPECT_EQ(core.n_joined, soup.n_vertices() - ball.n_vertices());
+    EXPECT_EQ(core.n_boundary_loops, 0);
+    for (Index v = 0; v < soup.n_vertices(); ++v)
+        EXPECT_EQ(core.mesh.vertices.row(core.core_of_input[static_cast<std::size_t>(v)]),
+                  soup.vertices.row(v));
+}
+
+TEST(SpectralCore, LeavesOutCrumbsAndLooseVertices) {
+    TriangleMesh crumb = make_icosphere(0);
+    crumb.vertices *= 0.05;
+    crumb.vertices.rowwise() += Eigen::RowVector3d(0, 0, 1.5);
+    TriangleMesh mesh = beside(crumb, make_icosphere(3));
+    mesh.vertices.conservativeResize(mesh.n_vertices() + 1, 3);
+    mesh.vertices.bottomRows(1) << 0, 0, -2;
+    const Core core = core_of(mesh);
+    EXPECT_EQ(core.mesh.n_vertices(), make_icosphere(3).n_vertices());
+    EXPECT_EQ(core.n_small_components, 1);
+    EXPECT_NEAR(core.small_share, 0.002, 0.0005);
+    EXPECT_EQ(core.n_unreferenced, 1);
+    EXPECT_EQ(core.n_components, 1);
+    EXPECT_GT(core.mesh.vertices(core.core_of_input[0], 2), 0.9);       // of the crumb: near the north pole
+    EXPECT_LT(core.mesh.vertices(core.core_of_input.back(), 2), -0.9);  // the loose one: near the south pole
+    for (std::size_t c = 0; c < core.input_of_core.size(); ++c)
+        EXPECT_EQ(core.core_of_input[static_cast<std::size_t>(core.input_of_core[c])], static_cast<Index>(c));
+}
+
+TEST(SpectralCore, KeepsEqualPiecesHoweverMany) {
+    TriangleMesh dust{Points(600, 3), Triangles(200, 3)};
+    for (Index t = 0; t < 200; ++t) {
+        for (int c = 0; c < 3; ++c) {
+            dust.vertices.row(3 * t + c) << 2 * t + (c == 1), (c == 2), 0;
+            dust.triangles(t, c) = 3 * t + c;
+        }
+    }
+    EXPECT_EQ(core_of(dust).n_components, 200);
+}
+
+TEST(SpectralCore, MapsGoBackToTheInputs) {
+    Core source, target;
+    source.core_of_input = {1, 0, 1};
+    target.core_of_input = {0, 0, 1, 1};
+    target.input_of_core = {1, 3};
+    const VertexMap map = between_inputs({{0, 1}, 2}, source, target);
+    EXPECT_EQ(map.image, (std::vector<Index>{3, 1, 3}));
+    EXPECT_EQ(map.target_size, 4);
+}
+
+}  // namespace
+}  // namespace counterpart
