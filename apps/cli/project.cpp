@@ -4,7 +4,7 @@
 #include "load_map.hpp"
 
 #include <counterpart/io/surface_map_file.hpp>
-#include <counterpart/transfer/project.hpp>
+#include <counterpart/transfer/invert.hpp>
 
 #include <memory>
 
@@ -22,16 +22,17 @@ struct ProjectCommand {
 void run(const ProjectCommand& command) {
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    const SurfaceMap target_from_source =
+    SurfaceMap target_from_source =
         load_surface_map(command.map, source, target, command.common, command.extend);
     Json report = {{"command", "project"},
                    {"source_vertices", source.n_vertices()},
                    {"matched_vertices", count_matched(target_from_source)}};
     if (!command.inverse.empty()) {
-        const SurfaceMap back =
-            invert(target_from_source, source, target, {.n_threads = command.common.threads});
-        write_surface_map(back, command.inverse);
-        report["inverse_matched_vertices"] = count_matched(back);
+        const MapPair pair =
+            with_inverse(target_from_source, source, target, {.n_threads = command.common.threads});
+        target_from_source = pair.target_from_source;
+        write_surface_map(pair.source_from_target, command.inverse);
+        report["inverse_matched_vertices"] = count_matched(pair.source_from_target);
     }
     write_surface_map(target_from_source, command.output);
     say(command.common,
@@ -53,7 +54,9 @@ void add_project(CLI::App& program) {
         ->add_option("-o,--output", command->output,
                      "Line i = target triangle and three weights of source vertex i; .npy too")
         ->required();
-    project->add_option("--inverse", command->inverse, "Also write the sub-vertex map from TARGET to SOURCE")
+    project
+        ->add_option("--inverse", command->inverse,
+                     "Also write the sub-vertex map from TARGET to SOURCE; the two are made to agree")
         ->type_name("FILE");
     project
         ->add_option("--extend", command->extend,

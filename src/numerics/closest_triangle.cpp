@@ -58,6 +58,19 @@ ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vect
     return {0, weights, height * height / scale};
 }
 
+ClosestPoint closest_among(std::span<const Index> among, const Points& vertices, const Triangles& triangles,
+                           const Eigen::Vector3d& query) {
+    ClosestPoint best;
+    for (const Index t : among) {
+        ClosestPoint point =
+            closest_on_triangle(query, vertices.row(triangles(t, 0)), vertices.row(triangles(t, 1)),
+                                vertices.row(triangles(t, 2)));
+        point.triangle = t;
+        if (point.squared_distance < best.squared_distance) best = point;
+    }
+    return best;
+}
+
 ClosestTriangle::ClosestTriangle(Points vertices, Triangles triangles)
     : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
     const auto count = static_cast<Index>(triangles_.rows());

@@ -5,6 +5,7 @@
 #include <counterpart/base/types.hpp>
 
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace counterpart {
@@ -20,6 +21,11 @@ struct ClosestPoint {
 /// is treated as its edges.
 ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vector3d& a,
                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+/// The closest point on some of a mesh's triangles, by looking at each; of equally close ones the first.
+/// triangle is -1 if `among` is empty.
+ClosestPoint closest_among(std::span<const Index> among, const Points& vertices, const Triangles& triangles,
+                           const Eigen::Vector3d& query);
 
 /// Closest points on a triangle soup by a tree of boxes, in double precision. Keeps a copy of the mesh.
 /// Building is O(F log F), a query about O(log F). Queries may run on several threads at once.

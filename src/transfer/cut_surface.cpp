@@ -112,28 +112,15 @@ std::vector<Index> CutSurface::reach(std::span<const Index> start, const Eigen::
             const std::size_t place = 3 * static_cast<std::size_t>(found[i]) + side;
             const Index next = across_[place];
             if (next < 0 || (seams == Seams::block && !smooth_[place]) || !seen.insert(next).second) continue;
-            if (closest_on(next, center).squared_distance <= radius * radius) found.push_back(next);
+            if (closest_among({&next, 1}, center).squared_distance <= radius * radius) found.push_back(next);
         }
     }
     std::sort(found.begin(), found.end());
     return found;
 }
 
-ClosestPoint CutSurface::closest_on(Index t, const Eigen::Vector3d& query) const {
-    ClosestPoint point = closest_on_triangle(query, mesh_.vertices.row(mesh_.triangles(t, 0)),
-                                             mesh_.vertices.row(mesh_.triangles(t, 1)),
-                                             mesh_.vertices.row(mesh_.triangles(t, 2)));
-    point.triangle = t;
-    return point;
-}
-
 ClosestPoint CutSurface::closest_among(std::span<const Index> triangles, const Eigen::Vector3d& query) const {
-    ClosestPoint best;
-    for (const Index t : triangles) {
-        const ClosestPoint point = closest_on(t, query);
-        if (point.squared_distance < best.squared_distance) best = point;
-    }
-    return best;
+    return counterpart::closest_among(triangles, mesh_.vertices, mesh_.triangles, query);
 }
 
 }  // namespace counterpart

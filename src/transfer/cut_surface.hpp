@@ -32,8 +32,6 @@ class CutSurface {
     ClosestPoint closest_among(std::span<const Index> triangles, const Eigen::Vector3d& query) const;
 
   private:
-    ClosestPoint closest_on(Index triangle, const Eigen::Vector3d& query) const;
-
     const TriangleMesh& mesh_;
     Fans fans_;
     std::vector<Index> across_;  // [3 t + c]: the next triangle at the edge from corner c, in turn; -1 = none

@@ -90,19 +90,6 @@ Eigen::Vector3d fitted_image(const TriangleMesh& source, const Eigen::RowVector3
     return fit.row(0).transpose();
 }
 
-ClosestPoint closest_among(const std::vector<Index>& triangles, const TriangleMesh& target,
-                           const Eigen::Vector3d& query) {
-    ClosestPoint best;
-    for (const Index t : triangles) {
-        ClosestPoint point = closest_on_triangle(query, target.vertices.row(target.triangles(t, 0)),
-                                                 target.vertices.row(target.triangles(t, 1)),
-                                                 target.vertices.row(target.triangles(t, 2)));
-        point.triangle = t;
-        if (point.squared_distance < best.squared_distance) best = point;
-    }
-    return best;
-}
-
 void require_usable(const ProjectOptions& options) {
     if (options.rings < 1 || options.rings > 5)
         throw InvalidInput(fmt::format("rings must be in 1 .. 5, not {}", options.rings));
@@ -146,57 +133,11 @@ struct Projection {
         std::erase_if(neighbors, [&](Index w) { return !map[w].matched(); });
         constexpr std::size_t least = 4;  // three determine the fit exactly and even nothing out
         if (neighbors.size() < least || normals.row(v).isZero()) return map[v];
-        const ClosestPoint point = closest_among(candidates(nearest, neighbors, v), target,
-                                                 fitted_image(source, normals.row(v), neighbors, images, v));
+        const ClosestPoint point =
+            closest_among(candidates(nearest, neighbors, v), target.vertices, target.triangles,
+                          fitted_image(source, normals.row(v), neighbors, images, v));
         return {point.triangle, point.weights};
     }
-};
-
-// Finds the source triangles whose images are near a target vertex along the target's surface, so that a hand
-// that touches the hip is not taken for it.
-class SourceNearby {
-  public:
-    TriangleMesh laid_out;  // the source at its images
-
-    SourceNearby(const SurfaceMap& map, const TriangleMesh& source, const TriangleMesh& target)
-        : laid_out{image_positions(map, target), source.triangles},
-          adjacency_(target),
-          source_fans_(source.triangles, source.n_vertices()),
-          landed_(static_cast<std::size_t>(target.n_vertices())) {
-        const VertexMap nearest = nearest_corners(map, target);
-        for (Index v = 0; v < source.n_vertices(); ++v)
-            if (nearest[v] != VertexMap::unmatched)
-                landed_[static_cast<std::size_t>(nearest[v])].push_back(v);
-    }
-
-    // The triangles around the first few source vertices met when walking ring by ring from the vertex.
-    std::vector<Index> triangles(Index target_vertex) const {
-        constexpr std::size_t enough = 8, most_visited = 2000;
-        std::vector<Index> ring{target_vertex}, sources;
-        std::set<Index> visited{target_vertex};
-        while (!ring.empty() && sources.size() < enough && visited.size() < most_visited) {
-            std::vector<Index> next;
-            for (const Index w : ring) {
-                const std::vector<Index>& here = landed_[static_cast<std::size_t>(w)];
-                sources.insert(sources.end(), here.begin(), here.end());
-                for (const Index u : adjacency_.neighbors(w))
-                    if (visited.insert(u).second) next.push_back(u);
-            }
-            ring = std::move(next);
-        }
-        std::set<Index> found;
-        for (const Index v : sources) {
-            for (const Index t : source_fans_.around(v))
-                if (!laid_out.vertices(laid_out.triangles.row(t).transpose(), Eigen::all).hasNaN())
-                    found.insert(t);
-        }
-        return {found.begin(), found.end()};
-    }
-
-  private:
-    Adjacency adjacency_;
-    Fans source_fans_;
-    std::vector<std::vector<Index>> landed_;  // source vertices by the target vertex nearest to their image
 };
 
 }  // namespace
@@ -221,40 +162,6 @@ SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
                     result.image[v] = projection.improved(before, nearest, images, static_cast<Index>(v));
             });
         }
-    });
-    return result;
-}
-
-SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                  const TriangleMesh& target, const InvertOptions& options) {
-    require_valid(source);
-    require_valid(target);
-    require_valid(target_from_source, source.n_vertices(), target.n_triangles());
-    if (!(options.reach > 0)) throw InvalidInput("reach must be above 0");
-
-    constexpr Index nobody = -1, several = -2;
-    std::vector<Index> only_source(static_cast<std::size_t>(target.n_vertices()), nobody);
-    for (Index v = 0; v < source.n_vertices(); ++v) {
-        const SurfacePoint& point = target_from_source[v];
-        Eigen::Index corner = 0;
-        if (!point.matched() || point.weights.maxCoeff(&corner) != 1) continue;
-        Index& who = only_source[static_cast<std::size_t>(target.triangles(point.triangle, corner))];
-        who = who == nobody ? v : several;
-    }
-    VertexMap back{std::move(only_source), source.n_vertices()};
-    for (Index& v : back.image) v = std::max(v, VertexMap::unmatched);
-    SurfaceMap result = surface_map_of(back, source);
-
-    const SourceNearby nearby(target_from_source, source, target);
-    const double reach = options.reach * mean_edge_length(target);
-    with_threads(options.n_threads, [&] {
-        parallel_for(result.image.size(), 64, [&](std::size_t w) {
-            if (result.image[w].matched()) return;
-            const std::vector<Index> candidates = nearby.triangles(static_cast<Index>(w));
-            const Eigen::Vector3d query = target.vertices.row(static_cast<Eigen::Index>(w)).transpose();
-            const ClosestPoint point = closest_among(candidates, nearby.laid_out, query);
-            if (point.squared_distance <= reach * reach) result.image[w] = {point.triangle, point.weights};
-        });
     });
     return result;
 }

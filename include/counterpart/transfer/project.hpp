@@ -30,18 +30,4 @@ struct ProjectOptions {
 SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
                        const VertexMap& target_from_source, const ProjectOptions& options = {});
 
-struct InvertOptions {
-    /// Target vertices farther than this from the image of the source are unmatched; in mean edge lengths of
-    /// the target, above 0.
-    double reach = 3;
-    int n_threads = 0;
-};
-
-/// source_from_target: the closest point of the source's image (the source's triangles at their images'
-/// positions) to each target vertex, among the triangles whose images are near it along the target's surface.
-/// A target vertex that is the image of exactly one source vertex goes back to it. Triangles with an
-/// unmatched corner are left out. O(V) for meshes of similar resolution.
-SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                  const TriangleMesh& target, const InvertOptions& options = {});
-
 }  // namespace counterpart

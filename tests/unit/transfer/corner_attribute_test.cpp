@@ -9,7 +9,6 @@
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/subdivide.hpp>
 #include <counterpart/transfer/corner_attribute.hpp>
-#include <counterpart/transfer/project.hpp>
 
 #include <cmath>
 #include <numbers>

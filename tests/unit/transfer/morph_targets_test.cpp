@@ -9,9 +9,9 @@
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/subdivide.hpp>
+#include <counterpart/transfer/invert.hpp>
 #include <counterpart/transfer/local_linear_maps.hpp>
 #include <counterpart/transfer/morph_targets.hpp>
-#include <counterpart/transfer/project.hpp>
 
 #include <cmath>
 

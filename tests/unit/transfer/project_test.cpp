@@ -5,6 +5,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/transfer/invert.hpp>
 #include <counterpart/transfer/project.hpp>
 
 #include <Eigen/Geometry>

@@ -8,7 +8,7 @@
 #include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/subdivide.hpp>
-#include <counterpart/transfer/project.hpp>
+#include <counterpart/transfer/invert.hpp>
 #include <counterpart/transfer/skin.hpp>
 
 #include <algorithm>
