@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# bad_inputs.sh PROGRAM DATA: inspects and converts every file of DATA/hard and damaged files made here. Each ends
-# within 10 s with 0, or with 1, one line "error: ..." and no output file.
+# bad_inputs.sh PROGRAM DATA: inspects, converts and matches every file of DATA/hard and damaged files made here. Each ends
+# within 60 s with 0, or with 1, one line "error: ..." and no output file.
 set -uo pipefail
 program=$1 data=${COUNTERPART_DATA:-$2}
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ failed=0
 check() {  # FILE OUTPUT COMMAND...
   local file=$1 output=$2 status lines
   shift 2
-  timeout 10 "$program" "$@" > /dev/null 2> "$folder/stderr"
+  timeout 60 "$program" "$@" > /dev/null 2> "$folder/stderr"
   status=$?
   lines=$(grep -c . "$folder/stderr")
   if [ $status -eq 1 ]; then
@@ -31,6 +31,7 @@ cd "$folder" || exit 1
 "$program" convert good.ply good.obj -q
 "$program" convert good.ply good.stl -q
 "$program" convert good.ply good.off -q
+"$program" deform body small.ply --subdivisions 1 -q
 mkdir files
 for format in off obj ply stl; do
   head -c 3000 good.$format > files/cut.$format
@@ -45,5 +46,7 @@ for file in files/* files/absent.obj "$data"/hard/*; do
   rm -f out.*
   check "$file" none inspect "$file"
   check "$file" out. convert "$file" out.ply -q
+  rm -f out.*
+  check "$file" out. match "$file" small.ply -q --method spectral --basis-size 40 --samples 200 -o out.txt
 done
 exit $failed

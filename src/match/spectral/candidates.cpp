@@ -5,10 +5,10 @@
 #include "base/parallel.hpp"
 #include "match/spectral/extremity_matching.hpp"
 
+#include <counterpart/spectral/functional_map.hpp>
+
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -55,25 +55,6 @@ Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const Shap
     return all;
 }
 
-// C with C f_B = f_A in the least squares sense, and commuting with the Laplacians.
-MatrixF least_squares_map(const Shape& a, const Shape& b, const Eigen::MatrixXd& fa,
-                          const Eigen::MatrixXd& fb) {
-    constexpr double commutativity = 3;
-    const Eigen::MatrixXd gram = fb * fb.transpose(), cross = fa * fb.transpose();
-    const Eigen::Index k = fa.rows();
-    const double scale = std::max(a.basis.eigenvalues[k - 1], b.basis.eigenvalues[k - 1]);
-    MatrixF map(k, fb.rows());
-    for (Eigen::Index i = 0; i < k; ++i) {
-        Eigen::MatrixXd system = gram;
-        for (Eigen::Index j = 0; j < fb.rows(); ++j) {
-            const double gap = (a.basis.eigenvalues[i] - b.basis.eigenvalues[j]) / scale;
-            system(j, j) += commutativity * gap * gap + 1e-6;
-        }
-        map.row(i) = system.ldlt().solve(cross.row(i).transpose()).transpose().cast<float>();
-    }
-    return map;
-}
-
 // All of the Candidate from a starting functional map.
 Candidate grow(const SampledPair& pair, const PairedFunctionalMaps& start) {
     const int first = static_cast<int>(start.a_from_b.rows());
@@ -112,18 +93,18 @@ void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distan
 
 }  // namespace
 
-MapDistance::MapDistance(const Shape& a, const Shape& b, std::size_t n_samples) : a_(a), b_(b) {
-    const auto nearest = [&](const Shape& shape) {
+MapDistance::MapDistance(const SampledPair& pair) : a_(pair.a), b_(pair.b) {
+    const auto nearest = [](const Shape& shape, Index n_samples) {
         std::vector<Index> result;
-        for (std::size_t s = 0; s < std::min(n_samples, shape.samples.size()); ++s) {
+        for (Index s = 0; s < n_samples; ++s) {
             Eigen::Index row = 0;
-            shape.sample_distances.col(shape.samples[s]).minCoeff(&row);
+            shape.sample_distances.col(shape.samples[static_cast<std::size_t>(s)]).minCoeff(&row);
             result.push_back(static_cast<Index>(row));
         }
         return result;
     };
-    nearest_a_ = nearest(a);
-    nearest_b_ = nearest(b);
+    nearest_a_ = nearest(a_, pair.points_a.size());
+    nearest_b_ = nearest(b_, pair.points_b.size());
 }
 
 double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
@@ -178,11 +159,13 @@ std::vector<Candidate> find_candidates(const SampledPair& pair,
             on_a.push_back(va);
             on_b.push_back(vb);
         }
-        const MatrixF c = least_squares_map(pair.a, pair.b, with_heat_kernels(descriptors_a, pair.a, on_a),
-                                            with_heat_kernels(descriptors_b, pair.b, on_b));
+        const MatrixF c =
+            fit_functional_map(with_heat_kernels(descriptors_a, pair.a, on_a), pair.a.basis.eigenvalues,
+                               with_heat_kernels(descriptors_b, pair.b, on_b), pair.b.basis.eigenvalues)
+                .cast<float>();
         candidates[i] = grow(pair, {c, c.transpose()});
     });
-    const MapDistance distance(pair.a, pair.b, static_cast<std::size_t>(pair.points_a.size()));
+    const MapDistance distance(pair);
     keep_distinct(candidates, distance, least_difference, candidates.size());
     for (int round = 0; round < n_rounds; ++round) {
         // Only candidates that were not varied before.

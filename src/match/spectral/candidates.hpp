@@ -16,7 +16,7 @@ struct Candidate {
 /// Mean distance on B between two maps of samples, measured between nearest distance samples.
 class MapDistance {
   public:
-    MapDistance(const Shape& a, const Shape& b, std::size_t n_samples);
+    explicit MapDistance(const SampledPair& pair);
     double operator()(const PairedMaps& x, const PairedMaps& y) const;
     /// Share of the samples of A that the two maps take farther apart than `distance`.
     double share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const;

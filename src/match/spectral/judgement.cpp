@@ -35,7 +35,7 @@ Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double
 
 std::string describe(const SampledPair& pair, const Candidate& best, const Candidate& other) {
     if (best.scores.orientation * other.scores.orientation < 0) return "mirrored: left and right exchanged";
-    const MapDistance distance(pair.a, pair.b, static_cast<std::size_t>(pair.points_a.size()));
+    const MapDistance distance(pair);
     constexpr double far = 0.2;
     const double moved = distance.share_beyond(best.maps, other.maps, far);
     if (moved > 0.6) return fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved);

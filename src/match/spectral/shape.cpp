@@ -75,32 +75,12 @@ EigenBasis basis_of(const Shape& shape, const DistanceGraph& graph, int n_functi
                                 n_functions);
 }
 
-// Local maxima of the average distance, suppressed outwards from the highest.
 void find_extremities(Shape& shape, const DistanceGraph& graph) {
-    constexpr double least = 1.2, radius = 0.15;
-    constexpr std::size_t at_most = 12;
-    const Vector average = shape.sample_distances.cast<double>().colwise().mean().transpose();
-    const Vector relative = average / average.minCoeff();
-    std::vector<Index> order(static_cast<std::size_t>(relative.size()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return relative[a] > relative[b]; });
-    std::vector<char> covered(order.size(), 0);
-    std::vector<Index> found;
-    for (const Index v : order) {
-        if (relative[v] < least || found.size() == at_most) break;
-        if (covered[static_cast<std::size_t>(v)]) continue;
-        const Vector distance = distances_from(graph, v, {.radius = radius});
-        bool maximal = true;
-        for (Index w = 0; w < distance.size(); ++w) {
-            if (distance[w] >= radius) continue;
-            covered[static_cast<std::size_t>(w)] = 1;
-            if (relative[w] > relative[v]) maximal = false;
-        }
-        if (!maximal) continue;
-        shape.extremities.push_back({v, relative[v]});
-        found.push_back(v);
-    }
-    shape.extremity_distances = finite_rows(graph, found);
+    shape.extremities =
+        extremities(graph, shape.sample_distances.cast<double>().colwise().mean().transpose());
+    std::vector<Index> vertices;
+    for (const Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
+    shape.extremity_distances = finite_rows(graph, vertices);
 }
 
 // All normals along one line.
@@ -167,7 +147,7 @@ Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
         diffuse(clamped(mean_curvature(shape.mesh, laplacian)), shape.basis, {0.0005, 0.001, 0.003, 0.01}),
         shape.basis.mass);
     shape.wave_kernel = wave_kernel_signature(shape.basis);
-    shape.orientation = orientation_tensor(shape.mesh, shape.basis, 20, 30);
+    shape.orientation = orientation_tensor(shape.mesh, shape.basis);
     return shape;
 }
 

@@ -5,10 +5,12 @@
 #pragma once
 
 #include "match/spectral/core.hpp"
-#include "match/spectral/orientation.hpp"
 #include "spectral/bijective_zoom_out.hpp"
 
+#include <counterpart/geodesic/extremities.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
+#include <counterpart/spectral/laplacian.hpp>
+#include <counterpart/spectral/orientation.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -19,11 +21,6 @@ struct ShapeOptions {
     int n_functions = 200;
     int n_samples = 1000;
     std::uint64_t seed = 0;  // not 0: samples begin at a random vertex instead of the farthest one
-};
-
-struct Extremity {
-    Index vertex = 0;
-    double average_distance = 0;  // divided by the smallest on the surface
 };
 
 struct Shape {

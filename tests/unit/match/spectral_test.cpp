@@ -165,6 +165,15 @@ TEST(MatchSpectral, UnreferencedVerticesAndHolesDoNoHarm) {
     EXPECT_TRUE(result.confidence.allFinite());
 }
 
+TEST(MatchSpectral, MeshesOfVeryDifferentSizePassBothWays) {
+    const TriangleMesh few = make_torus(12, 8), many = bumpy_sphere(3);
+    for (const auto& [source, target] : {std::pair(few, many), std::pair(many, few)}) {
+        const SpectralResult result = match_spectral(source, target, {}, small);
+        EXPECT_EQ(count_matched(result.target_from_source), source.n_vertices());
+        EXPECT_EQ(result.source_from_target.source_size(), target.n_vertices());
+    }
+}
+
 TEST(MatchSpectral, SmallestMeshesPass) {
     const SpectralResult result = match_spectral(make_grid(4, 3), make_torus(5, 4), {}, small);
     EXPECT_EQ(count_matched(result.target_from_source), 20);

@@ -1,17 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/orientation.hpp"
-
-#include <counterpart/mesh/measure.hpp>
+#include <counterpart/base/errors.hpp>
+#include <counterpart/spectral/orientation.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Geometry>
 
-namespace counterpart::spectral_match {
+namespace counterpart {
 
 OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis& basis, int size,
                                      int n_coefficients) {
+    if (basis.mass.size() != mesh.n_vertices())
+        throw InvalidInput("orientation_tensor: the basis belongs to another mesh");
+    if (size < 2 || n_coefficients < 2)
+        throw InvalidInput("orientation_tensor: at least 2 functions and coefficients are needed");
     OrientationTensor result;
     result.size = std::min(size, basis.size());
     result.n_coefficients = std::min(n_coefficients, basis.size());
@@ -47,7 +51,9 @@ OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis&
     return result;
 }
 
-double orientation_score(const OrientationTensor& a, const OrientationTensor& b, const MatrixF& a_from_b) {
+double orientation_score(const OrientationTensor& a, const OrientationTensor& b,
+                         const Eigen::MatrixXf& a_from_b) {
+    if (a_from_b.size() == 0) throw InvalidInput("orientation_score: the functional map is empty");
     const int sa = std::min<int>(a.size, static_cast<int>(a_from_b.rows()));
     const int sb = std::min<int>(b.size, static_cast<int>(a_from_b.cols()));
     const int ca = std::min<int>(a.n_coefficients, static_cast<int>(a_from_b.rows()));
@@ -55,7 +61,7 @@ double orientation_score(const OrientationTensor& a, const OrientationTensor& b,
     const Eigen::MatrixXf c = a_from_b.topLeftCorner(sa, sb);
     // Pulled back: the tensor of B with its coefficients taken to A; pushed: the tensor of A on C phi_i, C
     // phi_j.
-    const MatrixF pulled = b.values.leftCols(cb) * a_from_b.topLeftCorner(ca, cb).transpose();
+    const Eigen::MatrixXf pulled = b.values.leftCols(cb) * a_from_b.topLeftCorner(ca, cb).transpose();
     double product = 0, norm_pulled = 0, norm_pushed = 0;
     Eigen::MatrixXf slice(sa, sa);
     for (int m = 0; m < ca; ++m) {
@@ -75,4 +81,4 @@ double orientation_score(const OrientationTensor& a, const OrientationTensor& b,
     return norm > 0 ? product / norm : 0;
 }
 
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace counterpart {
+
+/// A linear map of functions on the target to functions on the source, in eigenfunctions: C(i, j) is the
+/// coefficient on the source's function i of what becomes of the target's function j. k_source x k_target.
+/// Ovsjanikov et al. 2012. The identity, up to signs, for an isometry without repeated eigenvalues.
+using FunctionalMap = Eigen::MatrixXd;
+
+/// The map of functions that a vertex map induces, C = Phi_source^T M Phi_target[target_from_source], for the
+/// first k functions of either side. Unmatched vertices do not count. Throws InvalidInput if sizes differ or
+/// k is below 1. O(V k^2).
+FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBasis& source,
+                             const EigenBasis& target, int k);
+
+/// C with C f_target = f_source in the least squares sense over corresponding functions (columns of
+/// coefficients: k_source x d and k_target x d), and nearly commuting with the Laplacians: minimizes
+/// |C F_t - F_s|^2 + commutativity * sum C_ij^2 ((lambda_i - lambda_j) / largest lambda)^2. O(k^4).
+FunctionalMap fit_functional_map(const Eigen::MatrixXd& source_coefficients, const Vector& source_eigenvalues,
+                                 const Eigen::MatrixXd& target_coefficients, const Vector& target_eigenvalues,
+                                 double commutativity = 3);
+
+struct DescriptorMapOptions {
+    int k = 20;                ///< eigenfunctions of either side, at least 1
+    double commutativity = 3;  ///< at least 0; columns have length 1
+    /// Of the heat kernels around landmarks, at unit area.
+    std::vector<double> heat_times{0.005, 0.02, 0.06};
+    double descriptor_weight = 0.2;  ///< of each descriptor against each landmark's kernel; at least 0
+};
+
+/// A first functional map without any vertex map: from descriptors that corresponding vertices share (V x d
+/// for each mesh, as wave_kernel_signature; may have no columns) and known pairs (source vertex, target
+/// vertex), whose heat kernels correspond. Throws InvalidInput if sizes differ, for landmarks and options out
+/// of range, and if there is neither descriptor nor landmark.
+FunctionalMap functional_map_from_descriptors(const EigenBasis& source,
+                                              const Eigen::MatrixXd& source_descriptors,
+                                              const EigenBasis& target,
+                                              const Eigen::MatrixXd& target_descriptors,
+                                              std::span<const std::pair<Index, Index>> landmarks = {},
+                                              const DescriptorMapOptions& options = {});
+
+/// The vertex map that a functional map means: each source vertex takes the target vertex nearest in
+/// coefficients, rows of Phi_source against rows of Phi_target C^T. O(V_source V_target k).
+VertexMap vertex_map(const FunctionalMap& source_from_target, const EigenBasis& source,
+                     const EigenBasis& target);
+
+}  // namespace counterpart

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
+#include <counterpart/geodesic/distances.hpp>
+#include <counterpart/geodesic/extremities.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace counterpart {
+
+std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& average_distance,
+                                   const ExtremityOptions& options) {
+    if (average_distance.size() != graph.n_vertices() || graph.n_vertices() == 0)
+        throw InvalidInput("extremities: one average distance per vertex of the graph is needed");
+    if (!(options.least_average >= 1) || !(options.radius > 0) || options.at_most < 1)
+        throw InvalidInput("extremities: an option is out of range");
+    const Vector relative = average_distance / average_distance.minCoeff();
+    std::vector<Index> order(static_cast<std::size_t>(relative.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return relative[a] > relative[b]; });
+    std::vector<char> covered(order.size(), 0);
+    std::vector<Extremity> found;
+    for (const Index v : order) {
+        if (!(relative[v] >= options.least_average) ||
+            found.size() == static_cast<std::size_t>(options.at_most))
+            break;
+        if (covered[static_cast<std::size_t>(v)]) continue;
+        const Vector distance = distances_from(graph, v, {.radius = options.radius});
+        bool maximal = true;
+        for (Index w = 0; w < distance.size(); ++w) {
+            if (distance[w] >= options.radius) continue;
+            covered[static_cast<std::size_t>(w)] = 1;
+            if (relative[w] > relative[v]) maximal = false;
+        }
+        if (maximal) found.push_back({v, relative[v]});
+    }
+    return found;
+}
+
+}  // namespace counterpart

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/disguise.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/descriptor/spectral_signatures.hpp>
+#include <counterpart/mesh/shapes.hpp>
+#include <counterpart/spectral/functional_map.hpp>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+struct Pair {
+    TriangleMesh source = make_body({.subdivisions = 1});
+    test::DisguisedMesh target = test::shuffled(test::moved(source, 4), 9);
+    EigenBasis source_basis = eigen_basis(source, 40), target_basis = eigen_basis(target.mesh, 40);
+    const VertexMap& truth = target.mesh_from_original;
+};
+
+TEST(FunctionalMap, RefusesWhatDoesNotFit) {
+    const Pair pair;
+    EXPECT_THROW(functional_map(identity_map(3), pair.source_basis, pair.target_basis, 5), InvalidInput);
+    EXPECT_THROW(functional_map(pair.truth, pair.source_basis, pair.target_basis, 0), InvalidInput);
+    const Eigen::MatrixXd none(pair.source.n_vertices(), 0);
+    const auto from = [&](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
+                          const std::vector<std::pair<Index, Index>>& landmarks,
+                          const DescriptorMapOptions& options = {}) {
+        return functional_map_from_descriptors(pair.source_basis, a, pair.target_basis, b, landmarks,
+                                               options);
+    };
+    EXPECT_THROW(from(none, none, {}), InvalidInput);
+    EXPECT_THROW(from(none, Eigen::MatrixXd(pair.source.n_vertices(), 2), {}), InvalidInput);
+    EXPECT_THROW(from(none, none, {{0, 99999}}), InvalidInput);
+    EXPECT_THROW(from(none, none, {{0, 0}}, {.k = 0}), InvalidInput);
+    EXPECT_THROW(vertex_map(FunctionalMap::Identity(50, 50), pair.source_basis, pair.target_basis),
+                 InvalidInput);
+}
+
+TEST(FunctionalMap, OfTheTrueMapIsASignedIdentityAndLeadsBack) {
+    const Pair pair;
+    const FunctionalMap c = functional_map(pair.truth, pair.source_basis, pair.target_basis, 30);
+    EXPECT_LT((c.cwiseAbs() - Eigen::MatrixXd::Identity(30, 30)).cwiseAbs().maxCoeff(), 1e-4);
+    EXPECT_EQ(vertex_map(c, pair.source_basis, pair.target_basis), pair.truth);
+}
+
+TEST(FunctionalMap, UnmatchedVerticesDoNotCount) {
+    const Pair pair;
+    VertexMap nothing = pair.truth;
+    nothing.image.assign(nothing.image.size(), VertexMap::unmatched);
+    EXPECT_EQ(functional_map(nothing, pair.source_basis, pair.target_basis, 5).norm(), 0);
+}
+
+TEST(FunctionalMap, DescriptorsAndLandmarksRecoverAPermutation) {
+    const Pair pair;
+    std::vector<std::pair<Index, Index>> landmarks;
+    for (const Index v : {3, 200, 450, 700, 1000}) landmarks.emplace_back(v, pair.truth[v]);
+    const FunctionalMap c = functional_map_from_descriptors(
+        pair.source_basis, wave_kernel_signature(pair.source_basis), pair.target_basis,
+        wave_kernel_signature(pair.target_basis), landmarks);
+    const FunctionalMap truth = functional_map(pair.truth, pair.source_basis, pair.target_basis, 20);
+    EXPECT_LT((c - truth).norm() / truth.norm(), 0.05);
+    const VertexMap map = vertex_map(c, pair.source_basis, pair.target_basis);
+    Index right = 0;
+    for (Index v = 0; v < map.source_size(); ++v) right += map[v] == pair.truth[v] ? 1 : 0;
+    EXPECT_GT(right, 0.9 * map.source_size());
+}
+
+TEST(FunctionalMap, TheFitCommutesWithTheLaplacians) {
+    const Vector eigenvalues{{0, 1, 2, 3}};
+    const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(4, 1);
+    const FunctionalMap loose = fit_functional_map(one, eigenvalues, one, eigenvalues, 0),
+                        tight = fit_functional_map(one, eigenvalues, one, eigenvalues, 1e6);
+    EXPECT_LT((loose * one - one).norm(), 1e-5);
+    EXPECT_LT((tight - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-3);
+    EXPECT_GT((loose - Eigen::MatrixXd::Identity(4, 4)).norm(), 0.5);
+}
+
+}  // namespace
+}  // namespace counterpart
