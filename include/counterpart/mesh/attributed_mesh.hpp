@@ -4,6 +4,7 @@
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,24 @@ struct MorphTarget {
     Points displacements;  ///< n_vertices x 3, in the mesh's units
 };
 
+/// A file as it was read; known to the module io only.
+struct GltfDocument;
+
 /// A mesh with what artists attach to it. Empty parts are absent.
 struct AttributedMesh {
     TriangleMesh mesh;
+    CornerAttribute normals;                           ///< n x 3 values
     std::vector<CornerAttribute> texture_coordinates;  ///< n x 2 values each
     std::vector<CornerAttribute> colors;               ///< n x 3 or n x 4 values in 0 .. 1 each
     SkinBinding skin;
     std::vector<MorphTarget> morphs;
+    /// For each triangle what it is made of: the number of one of the document's primitives, which have their
+    /// materials; without a document any label from 0. Empty: all alike.
+    std::vector<Index> parts;
+    /// The glTF file that the mesh is from: whatever else it holds (materials, textures, the skeleton, other
+    /// nodes, animations) is written along, so who takes skin or parts from another mesh takes this too. Null
+    /// for meshes from elsewhere.
+    std::shared_ptr<const GltfDocument> document;
 };
 
 }  // namespace counterpart
