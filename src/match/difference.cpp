@@ -4,6 +4,7 @@
 #include "match/exact/island_classes.hpp"
 #include "match/exact/island_pairing.hpp"
 #include "match/exact/partial_growth.hpp"
+#include "match/exact/significance.hpp"
 
 #include <counterpart/match/difference.hpp>
 
@@ -152,7 +153,8 @@ MeshDifference find_differences(const TriangleMesh& source, const TriangleMesh& 
     require_valid(source);
     require_valid(target);
     const CombinatorialMap a = make_combinatorial_map(source), b = make_combinatorial_map(target);
-    const PartialMatch match = grow_matching(source, target, a, b, match_whole_islands(source, target, a, b));
+    const auto whole_islands = match_whole_islands(source, target, a, b);
+    const PartialMatch match = grow_matching(source, target, a, b, whole_islands);
 
     MeshDifference difference;
     VertexMap& map = difference.target_from_source;
@@ -165,6 +167,10 @@ MeshDifference find_differences(const TriangleMesh& source, const TriangleMesh& 
         map.image[input] = b.input_vertex[static_cast<std::size_t>(match.image[v])];
         contested[input] = match.contested[v];
     }
+    std::vector<bool> known(static_cast<std::size_t>(source.n_triangles()), false);
+    for (const auto& [f, g] : whole_islands)
+        known[static_cast<std::size_t>(a.input_triangle[static_cast<std::size_t>(triangle_of(f))])] = true;
+    map = without_chance(source, target, map, match_triangles(source, target, map), known);
     const std::vector<Index> partner = match_triangles(source, target, map);
     judge(source, target, contested, partner, difference);
     list_unmatched(source, target, partner, difference);

@@ -93,6 +93,35 @@ class Growth {
         }
     }
 
+    // Goes on from what an earlier growth found.
+    void resume(const std::vector<FlagPair>& pairs) {
+        for (const auto& [first_f, first_g] : pairs) {
+            Flag f = first_f, g = first_g;
+            for (int c = 0; c < 3; ++c, f = next(f), g = next(g)) {
+                if (image_[static_cast<std::size_t>(a_.origin(f))] < 0)
+                    accept(a_.origin(f), b_.origin(g), 10);
+            }
+        }
+        for (const auto& [f, g] : pairs) match_triangles(f, g);
+        drain();
+    }
+
+    // Matched triangles that touch no unmatched one, in neither mesh.
+    std::vector<FlagPair> sound() const {
+        const std::vector<bool> torn_a = touched(a_, done_a_), torn_b = touched(b_, done_b_);
+        std::vector<FlagPair> pairs;
+        for (const FlagPair& pair : matched_) {
+            bool whole = true;
+            auto [f, g] = pair;
+            for (int c = 0; c < 3; ++c, f = next(f), g = next(g))
+                whole = whole && !torn_a[static_cast<std::size_t>(a_.origin(f))] &&
+                        !torn_b[static_cast<std::size_t>(b_.origin(g))];
+            if (whole) pairs.push_back(pair);
+        }
+        return pairs;
+    }
+    std::size_t n_matched() const { return matched_.size(); }
+
     // Pairs of flags whose colour occurs once on each side; where there are none, a few of the rarest colour.
     std::vector<FlagPair> seeds(unsigned parity) const {
         const auto in_a = colored_flags(a_, colors_a_.of_radius[2], done_a_, 0);
@@ -254,6 +283,13 @@ class Growth {
         }
     };
 
+    static std::vector<bool> touched(const CombinatorialMap& map, const std::vector<bool>& done) {
+        std::vector<bool> torn(static_cast<std::size_t>(map.n_vertices()), false);
+        for (std::size_t h = 0; h < map.corner.size(); ++h)
+            if (!done[h / 3]) torn[static_cast<std::size_t>(map.corner[h])] = true;
+        return torn;
+    }
+
     static std::uint64_t key(Index v, Index w) {
         return (static_cast<std::uint64_t>(v) << 32U) | static_cast<std::uint64_t>(w);
     }
@@ -347,6 +383,14 @@ class Growth {
     std::vector<FlagPair> matched_;
 };
 
+void grow_from_seeds(Growth& growth, unsigned parity) {
+    for (const FlagPair& seed : growth.seeds(parity)) {
+        if (!growth.is_open(seed) || !growth.is_trustworthy(seed)) continue;
+        growth.plant(seed);
+        growth.grow(3);  // the sure ones, so that no region runs over an edit before its neighbours do
+    }
+}
+
 }  // namespace
 
 PartialMatch grow_matching(const TriangleMesh& source_mesh, const TriangleMesh& target_mesh,
@@ -358,18 +402,23 @@ PartialMatch grow_matching(const TriangleMesh& source_mesh, const TriangleMesh& 
         LengthFit fit;
         const double length_a = mean_length(source_mesh), length_b = mean_length(target_mesh);
         if (length_a > 0 && length_b > 0) fit.scale = length_b / length_a;
+        // The first pass measures how lengths compare. The others forget what lies around each difference
+        // and close the gaps again, now with evidence from all sides.
+        constexpr int passes = 4;
         PartialMatch match;
-        for (int pass = 0; pass < 2; ++pass) {  // the first one measures how lengths compare
+        std::size_t most = 0;
+        std::vector<FlagPair> sound;
+        for (int pass = 0; pass < passes; ++pass) {
             Growth growth(source_mesh, target_mesh, source, target, fit);
             growth.settle(settled);
-            for (const FlagPair& seed : growth.seeds(parity)) {
-                if (!growth.is_open(seed) || !growth.is_trustworthy(seed)) continue;
-                growth.plant(seed);
-                growth.grow(
-                    3);  // the sure ones, so that no region runs over an edit before its neighbours do
-            }
-            growth.grow(0.7);
+            growth.resume(sound);
+            if (pass < 2) grow_from_seeds(growth, parity);
+            for (const double least : {3.0, 0.7, 0.3}) growth.grow(least);
             fit = growth.measure_lengths();
+            if (pass == 0) continue;
+            sound = growth.sound();
+            if (growth.n_matched() < most) continue;
+            most = growth.n_matched();
             match = growth.result();
         }
         const auto matched = static_cast<Index>(
