@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/exact/completion.hpp"
 #include "match/exact/edits.hpp"
 #include "match/exact/island_classes.hpp"
 #include "match/exact/island_pairing.hpp"
@@ -68,10 +69,11 @@ std::vector<Index> match_triangles(const TriangleMesh& source, const TriangleMes
     return partner;
 }
 
-// Drops pairs that no triangle supports and lists those that too few do.
-void judge(const TriangleMesh& source, const TriangleMesh& target, const std::vector<bool>& contested,
-           const std::vector<Index>& partner, MeshDifference& difference) {
-    VertexMap& map = difference.target_from_source;
+// Drops pairs that no triangle supports and returns those that too few do.
+std::vector<Index> judge(const TriangleMesh& source, const TriangleMesh& target,
+                         const std::vector<bool>& contested, const std::vector<Index>& partner,
+                         VertexMap& map) {
+    std::vector<Index> uncertain;
     std::vector<Index> support(map.image.size(), 0), in_source(map.image.size(), 0),
         in_target(static_cast<std::size_t>(target.n_vertices()), 0);
     for (Index t = 0; t < source.n_triangles(); ++t) {
@@ -93,8 +95,9 @@ void judge(const TriangleMesh& source, const TriangleMesh& target, const std::ve
         const bool whole =
             support[v] == possible && in_source[v] == in_target[static_cast<std::size_t>(map.image[v])];
         if (!whole && (support[v] < 2 || 2 * support[v] < possible || contested[v]))
-            difference.uncertain.push_back(static_cast<Index>(v));
+            uncertain.push_back(static_cast<Index>(v));
     }
+    return uncertain;
 }
 
 Index largest_part(const CombinatorialMap& map, const std::vector<Index>& partner) {
@@ -147,42 +150,64 @@ void list_unmatched(const TriangleMesh& source, const TriangleMesh& target, cons
         source.n_triangles() - static_cast<Index>(difference.source_triangles.size());
 }
 
+struct SharedPart {
+    VertexMap map;
+    std::vector<bool> contested;  // source vertices
+    bool turned = false;          // the surfaces are wound against each other
+};
+
+SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& target, const CombinatorialMap& a,
+                            const CombinatorialMap& b) {
+    const auto whole_islands = match_whole_islands(source, target, a, b);
+    const PartialMatch match = grow_matching(source, target, a, b, whole_islands);
+    SharedPart shared;
+    shared.turned = match.turned;
+    VertexMap& map = shared.map;
+    map = {std::vector<Index>(static_cast<std::size_t>(source.n_vertices()), VertexMap::unmatched),
+           target.n_vertices()};
+    shared.contested.assign(map.image.size(), false);
+    for (std::size_t v = 0; v < match.image.size(); ++v) {
+        if (match.image[v] < 0) continue;
+        const auto input = static_cast<std::size_t>(a.input_vertex[v]);
+        map.image[input] = b.input_vertex[static_cast<std::size_t>(match.image[v])];
+        shared.contested[input] = match.contested[v];
+    }
+    std::vector<bool> known(static_cast<std::size_t>(source.n_triangles()), false);
+    for (const auto& [f, g] : whole_islands)
+        known[static_cast<std::size_t>(a.input_triangle[static_cast<std::size_t>(triangle_of(f))])] = true;
+    map = without_chance(source, target, map, match_triangles(source, target, map), known);
+    map = with_better_shape(source, target, std::move(map));
+    map = with_hanging_faces(source, target, std::move(map), match.turned);
+    return shared;
+}
+
 }  // namespace
 
 MeshDifference find_differences(const TriangleMesh& source, const TriangleMesh& target) {
     require_valid(source);
     require_valid(target);
     const CombinatorialMap a = make_combinatorial_map(source), b = make_combinatorial_map(target);
-    const auto whole_islands = match_whole_islands(source, target, a, b);
-    const PartialMatch match = grow_matching(source, target, a, b, whole_islands);
+    SharedPart shared = find_shared_part(source, target, a, b);
 
     MeshDifference difference;
-    VertexMap& map = difference.target_from_source;
-    map = {std::vector<Index>(static_cast<std::size_t>(source.n_vertices()), VertexMap::unmatched),
-           target.n_vertices()};
-    std::vector<bool> contested(map.image.size(), false);
-    for (std::size_t v = 0; v < match.image.size(); ++v) {
-        if (match.image[v] < 0) continue;
-        const auto input = static_cast<std::size_t>(a.input_vertex[v]);
-        map.image[input] = b.input_vertex[static_cast<std::size_t>(match.image[v])];
-        contested[input] = match.contested[v];
-    }
-    std::vector<bool> known(static_cast<std::size_t>(source.n_triangles()), false);
-    for (const auto& [f, g] : whole_islands)
-        known[static_cast<std::size_t>(a.input_triangle[static_cast<std::size_t>(triangle_of(f))])] = true;
-    map = without_chance(source, target, map, match_triangles(source, target, map), known);
-    const std::vector<Index> partner = match_triangles(source, target, map);
-    judge(source, target, contested, partner, difference);
+    difference.target_from_source = std::move(shared.map);
+    const std::vector<Index> partner = match_triangles(source, target, difference.target_from_source);
+    difference.uncertain = judge(source, target, shared.contested, partner, difference.target_from_source);
     list_unmatched(source, target, partner, difference);
     difference.largest_part = largest_part(a, partner);
     difference.edits = find_edits(source, target, difference);
+    if (difference.n_matched_triangles == 0) {
+        difference.summary =
+            "the two meshes share no part that chance would not explain: they do not come from one mesh";
+        return difference;
+    }
     difference.summary = fmt::format(
         "{} of {} source triangles and {} of {} target triangles have a counterpart, {} source vertices of "
-        "{} are "
-        "matched ({} uncertain); {} places differ{}",
+        "{} are matched ({} uncertain); {} places differ{}",
         difference.n_matched_triangles, source.n_triangles(), difference.n_matched_triangles,
-        target.n_triangles(), count_matched(map), source.n_vertices(), difference.uncertain.size(),
-        difference.edits.size(), match.turned ? "; the target's winding is reversed" : "");
+        target.n_triangles(), count_matched(difference.target_from_source), source.n_vertices(),
+        difference.uncertain.size(), difference.edits.size(),
+        shared.turned ? "; the target's winding is reversed" : "");
     return difference;
 }
 

@@ -43,13 +43,18 @@ struct Side {
         return some;
     }
 
-    // -log2 of the frequency of each vertex's valence.
+    // -log2 of the frequency of each vertex's valence; the commonest valence says nothing, because growing
+    // goes on for as long as it meets it.
     std::vector<double> information() const {
         std::map<Index, double> count;
         for (const Index k : valence) count[k] += 1;
+        double most = 0;
+        for (const auto& [k, n] : count) most = std::max(most, n);
         std::vector<double> bits(valence.size());
         for (std::size_t v = 0; v < bits.size(); ++v)
-            bits[v] = std::log2(static_cast<double>(valence.size()) / count[valence[v]]);
+            bits[v] = count[valence[v]] == most
+                          ? 0
+                          : std::log2(static_cast<double>(valence.size()) / count[valence[v]]);
         return bits;
     }
 

@@ -12,9 +12,10 @@
 namespace counterpart {
 
 /// A matching without what chance explains. Kept are regions in whose surroundings (two rings, on one side at
-/// least) three quarters of the triangles are matched, and whose valences tell where they belong: the
-/// information in them, -log2 of each valence's frequency, exceeds by ten bits what it takes to choose one of
-/// all placements; or regions that are half of a mesh. What is matched within three rings of them stays too.
+/// least) three quarters of the triangles are matched, and whose irregular vertices tell where they belong:
+/// the information in them, -log2 of the frequency of each valence but the commonest, exceeds by ten bits
+/// what it takes to choose one of all placements; or regions that are half of a mesh. What is matched within
+/// three rings of them stays too.
 ///
 /// `partner` is the target triangle of each source triangle or -1; vertices of source triangles marked in
 /// `known` are kept without question. O(F).
