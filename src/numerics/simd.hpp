@@ -11,18 +11,18 @@ template <int lanes>
 struct Simd;
 template <>
 struct Simd<4> {
-    typedef float Floats __attribute__((vector_size(16)));
-    typedef std::int32_t Ints __attribute__((vector_size(16)));
+    using Floats [[gnu::vector_size(16)]] = float;
+    using Ints [[gnu::vector_size(16)]] = std::int32_t;
 };
 template <>
 struct Simd<8> {
-    typedef float Floats __attribute__((vector_size(32)));
-    typedef std::int32_t Ints __attribute__((vector_size(32)));
+    using Floats [[gnu::vector_size(32)]] = float;
+    using Ints [[gnu::vector_size(32)]] = std::int32_t;
 };
 template <>
 struct Simd<16> {
-    typedef float Floats __attribute__((vector_size(64)));
-    typedef std::int32_t Ints __attribute__((vector_size(64)));
+    using Floats [[gnu::vector_size(64)]] = float;
+    using Ints [[gnu::vector_size(64)]] = std::int32_t;
 };
 
 }  // namespace counterpart

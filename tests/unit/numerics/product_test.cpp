@@ -19,7 +19,9 @@ MatrixF random_matrix(Index rows, Index columns, std::uint64_t seed) {
 void expect_close(const MatrixF& found, const Eigen::MatrixXd& expected) {
     ASSERT_EQ(found.rows(), expected.rows());
     ASSERT_EQ(found.cols(), expected.cols());
-    if (found.size() > 0) EXPECT_LT((found.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-3);
+    if (found.size() > 0) {
+        EXPECT_LT((found.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-3);
+    }
 }
 
 TEST(Product, IsThatOfDoublePrecision) {
