@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/exact/completion.hpp"
+#include "match/exact/dislocation.hpp"
 #include "match/exact/edits.hpp"
 #include "match/exact/island_classes.hpp"
 #include "match/exact/island_pairing.hpp"
@@ -176,6 +177,7 @@ SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& targ
     for (const auto& [f, g] : whole_islands)
         known[static_cast<std::size_t>(a.input_triangle[static_cast<std::size_t>(triangle_of(f))])] = true;
     map = without_chance(source, target, map, match_triangles(source, target, map), known);
+    map = without_dislocations(source, target, std::move(map), match.turned);
     map = with_better_shape(source, target, std::move(map));
     map = with_hanging_faces(source, target, std::move(map), match.turned);
     return shared;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/exact/alternatives.hpp"
 #include "match/exact/combinatorial_map.hpp"
 #include "match/exact/count.hpp"
 #include "match/exact/island_assignment.hpp"
@@ -135,7 +136,7 @@ void fill_maps(const MatchedMaps& maps, const Pairing& pairing, ExactResult& res
             maps.target.input_vertex[static_cast<std::size_t>(image[v])];
 }
 
-void pair_isolated(const MatchedMaps& maps, const Similarity& similarity, VertexMap& map) {
+void pair_isolated(const MatchedMaps& maps, const Motion& similarity, VertexMap& map) {
     const std::vector<Index>&a = maps.source.isolated, &b = maps.target.isolated;
     if (a.empty() || b.empty()) return;
     Points from(static_cast<Eigen::Index>(a.size()), 3), to(static_cast<Eigen::Index>(b.size()), 3);
@@ -172,29 +173,14 @@ void list_interchangeable(const MatchedMaps& maps, const Pairing& pairing, Exact
     }
 }
 
-void add_alternatives(const MatchedMaps& maps, const Pairing& pairing, bool other_orientation, bool turned,
-                      Index most, ExactResult& result) {
-    const auto full = [&] { return static_cast<Index>(result.alternatives.size()) >= most; };
-    const auto add = [&](const Pairing& other) {
+void add_alternatives(const MatchedMaps& maps, const Pairing& pairing, const std::vector<Pairing>& others,
+                      ExactResult& result) {
+    for (const Pairing& other : others) {
         ExactResult alternative;
         fill_maps(maps, other, alternative);
         pair_isolated(maps, pairing.similarity, alternative.target_from_source);
         result.alternatives.push_back(std::move(alternative.target_from_source));
-    };
-    for (std::size_t p = 0; p < pairing.pairs.size() && !full(); ++p) {
-        const IslandPair& pair = pairing.pairs[p];
-        const AutomorphismGroup& group =
-            maps.groups[static_cast<std::size_t>(pair.kind - maps.classes.data())];
-        if (group.order() == 1 || pair.kind->source.size() > 1) continue;
-        const bool mirror = turned && !group.mirror.empty();
-        for (Images& images : other_automorphisms(
-                 maps, pair, mirror, static_cast<std::size_t>(most) - result.alternatives.size())) {
-            Pairing other = pairing;
-            other.pairs[p].automorphism = std::move(images);
-            add(other);
-        }
     }
-    if (other_orientation && !full()) add(pair_islands(maps, !turned));
 }
 
 void describe(const MatchedMaps& maps, ExactResult& result) {
@@ -252,14 +238,17 @@ ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& targe
     bool turned = turnable && (!straight || is_inside_out(maps));
 
     Pairing pairing;
+    std::vector<Pairing> others;
     if (linked) {
         result.path = ExactPath::patches;
-        pairing = pair_linked_islands(maps, turned);
-        if (pairing.pairs.empty()) {
+        others = pair_linked_islands(maps, turned, static_cast<std::size_t>(options.max_alternatives) + 1);
+        if (others.empty()) {
             result.difference =
                 "the patches between non-manifold edges and vertices are alike, but meet otherwise";
             return result;
         }
+        pairing = std::move(others[0]);
+        others.erase(others.begin());
         result.automorphisms = count_linked_automorphisms(maps, false);
         result.mirror_automorphisms = turnable ? count_linked_automorphisms(maps, true) : count_of(0);
     } else {
@@ -286,8 +275,11 @@ ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& targe
     result.length_difference = std::sqrt(pairing.length_disagreement);
     result.rigid_distance = std::sqrt(pairing.residual);
     list_interchangeable(maps, pairing, result);
-    if (options.max_alternatives > 0 && !linked)
-        add_alternatives(maps, pairing, straight && turnable, turned, options.max_alternatives, result);
+    if (const auto most = static_cast<std::size_t>(options.max_alternatives); most > 0 && !linked) {
+        others = other_pairings(maps, pairing, turned, most);
+        if (straight && turnable && others.size() < most) others.push_back(pair_islands(maps, !turned));
+    }
+    add_alternatives(maps, pairing, others, result);
     describe(maps, result);
     return result;
 }

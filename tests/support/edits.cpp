@@ -112,6 +112,21 @@ EditedMesh with_missing_triangles(const TriangleMesh& mesh, double fraction, std
     return result;
 }
 
+EditedMesh without_last_island(const TriangleMesh& mesh, Index first) {
+    EditedMesh result{mesh, all(mesh.n_vertices()), {}};
+    std::fill(result.edited_from_original.begin() + first, result.edited_from_original.end(), -1);
+    Index kept = 0;
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        if (mesh.triangles(t, 0) >= first)
+            result.changed.insert(t);
+        else
+            result.mesh.triangles.row(kept++) = mesh.triangles.row(t);
+    }
+    result.mesh.triangles.conservativeResize(kept, 3);
+    result.mesh.vertices.conservativeResize(first, 3);
+    return result;
+}
+
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b) {
     TriangleMesh both{Points(a.n_vertices() + b.n_vertices(), 3),
                       Triangles(a.n_triangles() + b.n_triangles(), 3)};

@@ -24,6 +24,8 @@ EditedMesh with_flipped_edges(const TriangleMesh& mesh, Index count, std::uint64
 EditedMesh without_vertex(const TriangleMesh& mesh, std::uint64_t seed);
 /// Removes that fraction of the triangles; all vertices stay.
 EditedMesh with_missing_triangles(const TriangleMesh& mesh, double fraction, std::uint64_t seed);
+/// Removes the island that starts at vertex `first` of a mesh made by joined(): its vertices are the last.
+EditedMesh without_last_island(const TriangleMesh& mesh, Index first);
 /// Both meshes in one, the second's vertices and triangles after the first's.
 TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 

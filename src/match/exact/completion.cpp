@@ -110,6 +110,22 @@ class ShapeJudge {
         return sum;
     }
 
+    // The triangles around a vertex, and those of them that have a counterpart.
+    struct Support {
+        int n_matched = 0, n_triangles = 0;
+        bool is_whole() const { return n_matched == n_triangles; }
+    };
+    Support support(const VertexMap& map, Index v) const {
+        Support result;
+        for (const Index t : around_[place(v)]) {
+            const Triple from = corners(source_, t);
+            const Triple to{map[from[0]], map[from[1]], map[from[2]]};
+            result.n_matched += std::binary_search(faces_.begin(), faces_.end(), sorted(to));
+            ++result.n_triangles;
+        }
+        return result;
+    }
+
   private:
     static constexpr double tolerance = 0.3;  // logarithm of a ratio of lengths
 
@@ -154,6 +170,7 @@ VertexMap with_hanging_faces(const TriangleMesh& source, const TriangleMesh& tar
 
 VertexMap with_better_shape(const TriangleMesh& source, const TriangleMesh& target, VertexMap map) {
     constexpr double margin = 0.5;  // of a triangle
+    constexpr int clear_gain = 2;   // triangles, whatever their lengths: poses change those
     const Adjacency in_source(source), in_target(target);
     ShapeJudge judge(source, target);
     judge.set_scale(map);
@@ -163,10 +180,29 @@ VertexMap with_better_shape(const TriangleMesh& source, const TriangleMesh& targ
             const Index w = map[rival];
             if (w < 0) continue;
             const double now = judge.fit(map, rival, w);
+            const int matched_now = judge.support(map, rival).n_matched;
             map.image[place(rival)] = VertexMap::unmatched;
-            const bool better = judge.fit(map, v, w) > now + margin;
-            map.image[place(better ? v : rival)] = w;
+            map.image[place(v)] = w;
+            const double then = judge.fit(map, v, w);
+            const bool better =
+                then > now + margin ||
+                (then > now - margin && judge.support(map, v).n_matched >= matched_now + clear_gain);
+            if (!better) std::swap(map.image[place(v)], map.image[place(rival)]);
             if (better) break;
+        }
+    }
+    // Two neighbours may each have the other's partner. Exchanging them must bring more triangles together.
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        if (map[v] < 0 || judge.support(map, v).is_whole()) continue;
+        for (const Index rival : in_source.neighbors(v)) {
+            if (map[rival] < 0 || judge.support(map, rival).is_whole()) continue;
+            const auto n_matched = [&] {
+                return judge.support(map, v).n_matched + judge.support(map, rival).n_matched;
+            };
+            const int now = n_matched();
+            std::swap(map.image[place(v)], map.image[place(rival)]);
+            if (n_matched() > now) break;
+            std::swap(map.image[place(v)], map.image[place(rival)]);
         }
     }
     std::vector<Index> name = inverse(map);

@@ -16,8 +16,9 @@ namespace counterpart {
 VertexMap with_hanging_faces(const TriangleMesh& source, const TriangleMesh& target, VertexMap map,
                              bool turned);
 
-/// Where a vertex is unmatched, one of its neighbours may have taken its partner: connectivity often explains
-/// an edit in both ways. The one that more triangles of agreeing edge lengths support keeps it. O(F log F).
+/// Where a vertex is unmatched, one of its neighbours may have taken its partner, and two neighbours that
+/// lost triangles may have each other's: connectivity often explains an edit in several ways. The way that
+/// more triangles of agreeing edge lengths support is kept. O(F log F).
 VertexMap with_better_shape(const TriangleMesh& source, const TriangleMesh& target, VertexMap map);
 
 }  // namespace counterpart

@@ -97,6 +97,9 @@ class GreedyAssignment {
 
     bool exchange() {
         const NearestNeighbors neighbors(targets_);
+        std::vector<double> current(target_of_.size(), 0);
+        for (std::size_t i = 0; i < current.size(); ++i)
+            if (target_of_[i] >= 0) current[i] = cost_(static_cast<Index>(i), target_of_[i]);
         bool changed = false;
         for (std::size_t i = 0; i < target_of_.size(); ++i) {
             const auto source = static_cast<Index>(i);
@@ -104,14 +107,20 @@ class GreedyAssignment {
                 const Index mine = target_of_[i], wanted = near.index;
                 if (mine < 0 || wanted == mine) continue;
                 const Index rival = source_of_[static_cast<std::size_t>(wanted)];
-                if (rival < 0 ? cost_(source, wanted) >= cost_(source, mine)
-                              : cost_(source, wanted) + cost_(rival, mine) >=
-                                    cost_(source, mine) + cost_(rival, wanted))
-                    continue;
+                const double now = current[i] + (rival < 0 ? 0 : current[static_cast<std::size_t>(rival)]);
+                if (near.squared_distance >= now) continue;  // no cost is less
+                const double wanted_cost = cost_(source, wanted);
+                if (wanted_cost >= now) continue;
+                const double rival_cost = rival < 0 ? 0 : cost_(rival, mine);
+                if (wanted_cost + rival_cost >= now) continue;
                 target_of_[i] = wanted;
                 source_of_[static_cast<std::size_t>(wanted)] = source;
                 source_of_[static_cast<std::size_t>(mine)] = rival;
-                if (rival >= 0) target_of_[static_cast<std::size_t>(rival)] = mine;
+                current[i] = wanted_cost;
+                if (rival >= 0) {
+                    target_of_[static_cast<std::size_t>(rival)] = mine;
+                    current[static_cast<std::size_t>(rival)] = rival_cost;
+                }
                 changed = true;
             }
         }
@@ -144,7 +153,7 @@ std::vector<Index> assign_islands(const Points& expected_sources, const Points& 
     return solve_assignment(costs);
 }
 
-Similarity align_centers(const Points& sources, const Points& targets) {
+Motion align_centers(const Points& sources, const Points& targets) {
     const Eigen::RowVector3d source_mean = sources.colwise().mean(), target_mean = targets.colwise().mean();
     const Points source = sources.rowwise() - source_mean, target = targets.rowwise() - target_mean;
     const double source_size = source.norm() / std::sqrt(double(source.rows())),
@@ -157,11 +166,11 @@ Similarity align_centers(const Points& sources, const Points& targets) {
         rotations.emplace_back(target_axes * sign.asDiagonal() * source_axes.transpose());
 
     const NearestNeighbors neighbors(targets);
-    Similarity best;
+    Motion best;
     double best_sum = std::numeric_limits<double>::infinity();
     const Index step = std::max<Index>(1, static_cast<Index>(sources.rows()) / 1000);
     for (const Eigen::Matrix3d& rotation : rotations) {
-        Similarity similarity{scale * rotation, {}};
+        Motion similarity{scale * rotation, {}};
         similarity.offset = target_mean - source_mean * similarity.linear.transpose();
         double sum = 0;
         for (Index i = 0; i < sources.rows(); i += step)

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/exact/island_pairing.hpp"
 
+#include "match/exact/anchoring.hpp"
 #include "match/exact/island_assignment.hpp"
 #include "match/exact/symmetry_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -23,8 +25,13 @@ Members with_parity(const std::vector<Member>& members, unsigned parity) {
 
 class Pairer {
   public:
-    Pairer(const MatchedMaps& maps, bool turned)
-        : maps_(maps), turned_(turned), determined_(is_determined(maps)), geometry_(maps, !determined_) {}
+    /// `start`: the motion to assume until islands have fixed it; null: none is known.
+    Pairer(const MatchedMaps& maps, const PairGeometry& geometry, bool turned, const Motion* start)
+        : maps_(maps),
+          turned_(turned),
+          determined_(is_determined(maps)),
+          geometry_(geometry),
+          start_(start) {}
 
     Pairing run() {
         // What leaves no choice comes first: it anchors the rest. Then single islands, the largest first,
@@ -71,9 +78,9 @@ class Pairer {
         if (group.order() == 1) {
             if (by_mirror(k)) pair.automorphism = group.mirror;
         } else {
-            const Similarity similarity = fit_similarity(anchors_, turned_);
+            const Motion fitted = fit_similarity(anchors_, turned_);
             pair.automorphism = std::move(rank_automorphisms(maps_, group, geometry_, pair, by_mirror(k),
-                                                             anchors_.empty() ? nullptr : &similarity, 1)[0]);
+                                                             anchors_.empty() ? start_ : &fitted, 1)[0]);
         }
         add(std::move(pair), true);
     }
@@ -99,7 +106,7 @@ class Pairer {
     }
 
     // The motion near a point of the source: a deformed pose moves every part a little differently.
-    Similarity similarity_near(const Eigen::RowVector3d& point) const {
+    Motion similarity_near(const Eigen::RowVector3d& point) const {
         std::vector<PointPair> pairs;
         const std::size_t step = std::max<std::size_t>(1, anchors_.size() / 1024);
         double extent = 0;
@@ -130,7 +137,9 @@ class Pairer {
         for (std::size_t j = 0; j < m; ++j)
             to.row(static_cast<Eigen::Index>(j)) =
                 center(geometry_.points({&kind, sources[0], targets[j], {}}, 64), true);
-        std::vector<Similarity> motion(n, anchors_.empty() ? align_centers(from, to) : Similarity{});
+        std::vector<Motion> motion(n);
+        if (anchors_.empty())
+            std::fill(motion.begin(), motion.end(), start_ != nullptr ? *start_ : align_centers(from, to));
         Points expected = from;
         for (std::size_t i = 0; i < n; ++i) {
             const auto row = static_cast<Eigen::Index>(i);
@@ -158,8 +167,7 @@ class Pairer {
             IslandPair pair{&kind, sources[i], targets[j], {}};
             pair.automorphism =
                 elements.empty()
-                    ? std::move(rank_automorphisms(maps_, maps_.groups[k], geometry_, pair, mirror,
-                                                   &motion[i], 1)[0])
+                    ? rank_automorphisms(maps_, maps_.groups[k], geometry_, pair, mirror, &motion[i], 1)[0]
                     : elements[best_element(k, *sources[i], *targets[j], elements, motion[i]).second];
             add(std::move(pair), false);
         }
@@ -191,7 +199,7 @@ class Pairer {
 
     std::pair<double, std::size_t> best_element(std::size_t k, const Member& source, const Member& target,
                                                 const std::vector<Images>& elements,
-                                                const Similarity& motion) const {
+                                                const Motion& motion) const {
         std::pair<double, std::size_t> best{std::numeric_limits<double>::infinity(), 0};
         const Index first = maps_.source.island_begin[static_cast<std::size_t>(maps_.classes[k].island)];
         const std::size_t step = std::max<std::size_t>(1, size(k) / 64);
@@ -213,10 +221,20 @@ class Pairer {
 
     const MatchedMaps& maps_;
     bool turned_, determined_;
-    PairGeometry geometry_;
+    const PairGeometry& geometry_;
+    const Motion* start_;
     std::vector<PointPair> anchors_;
     Pairing result_;
 };
+
+// Whether some island leaves no choice: it shows where the others belong.
+bool has_anchor(const MatchedMaps& maps) {
+    for (std::size_t k = 0; k < maps.classes.size(); ++k)
+        if (maps.classes[k].source.size() == 1 && maps.classes[k].target.size() == 1 &&
+            maps.groups[k].order() == 1)
+            return true;
+    return false;
+}
 
 }  // namespace
 
@@ -243,18 +261,48 @@ void measure(const MatchedMaps& maps, bool turned, Pairing& pairing) {
     pairing.length_disagreement = lengths;
     pairing.similarity = fit_similarity(points, turned);
     pairing.residual = residual(pairing.similarity, points);
+    pairing.displacement = residual(Motion{}, points);
+    pairing.tolerance = std::pow(1e-5 * geometry.mean_length(), 2);
 }
 
-Pairing pair_islands(const MatchedMaps& maps, bool turned) { return Pairer(maps, turned).run(); }
+bool fits_better(const Pairing& a, const Pairing& b) {
+    const double tolerance = std::max(a.tolerance, b.tolerance);
+    const auto alike = [&](double x, double y) {
+        return std::abs(x - y) <= 0.01 * std::max(x, y) + tolerance;
+    };
+    if (!alike(a.length_disagreement, b.length_disagreement))
+        return a.length_disagreement < b.length_disagreement;
+    if (!alike(a.residual, b.residual)) return a.residual < b.residual;
+    return a.displacement < b.displacement && !alike(a.displacement, b.displacement);
+}
 
-std::vector<Images> other_automorphisms(const MatchedMaps& maps, const IslandPair& pair, bool mirror,
-                                        std::size_t count) {
-    const auto k = static_cast<std::size_t>(pair.kind - maps.classes.data());
-    std::vector<Images> ranked =
-        rank_automorphisms(maps, maps.groups[k], PairGeometry(maps, true), pair, mirror, nullptr, count + 1);
-    std::erase(ranked, pair.automorphism);
-    if (ranked.size() > count) ranked.resize(count);
-    return ranked;
+Pairing pair_islands(const MatchedMaps& maps, bool turned) {
+    const bool determined = is_determined(maps);
+    const PairGeometry geometry(maps, !determined);
+    Pairing best = Pairer(maps, geometry, turned, nullptr).run();
+    if (determined || has_anchor(maps)) return best;
+
+    measure(maps, turned, best);
+    constexpr std::size_t most_starts = 12;
+    constexpr int most_rounds = 3;
+    // Thousands of islands that fit perfectly leave next to no other way; trying takes its time.
+    const bool many = maps.source.n_islands() > 400;
+    if (many && best.residual <= best.tolerance) return best;
+    std::vector<Motion> starts = starting_motions(maps, geometry, turned, most_starts);
+    if (maps.source.n_islands() > 1) starts.push_back(best.similarity);
+    if (maps.source.n_islands() > 1 && !many) starts.emplace_back();  // as if nothing had moved
+    for (Motion motion : starts) {
+        Pairing at_start;
+        for (int round = 0; round < most_rounds; ++round) {
+            Pairing found = Pairer(maps, geometry, turned, &motion).run();
+            measure(maps, turned, found);
+            if (round > 0 && !fits_better(found, at_start)) break;
+            at_start = std::move(found);
+            motion = at_start.similarity;
+        }
+        if (fits_better(at_start, best)) best = std::move(at_start);
+    }
+    return best;
 }
 
 }  // namespace counterpart

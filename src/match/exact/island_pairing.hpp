@@ -44,11 +44,17 @@ struct Pairing {
     std::vector<IslandPair> pairs;
     double length_disagreement = 0;  ///< mean squared difference of edge lengths, target units
     double residual = 0;             ///< mean squared distance after the best similarity, target units
-    Similarity similarity;
+    double displacement = 0;         ///< mean squared distance between partners as they lie
+    double tolerance = 0;            ///< squared lengths that are rounding
+    Motion similarity;
 };
 
 /// Fills in how well the pairs' geometry agrees; `turned` lets the similarity reflect.
 void measure(const MatchedMaps& maps, bool turned, Pairing& pairing);
+
+/// Whether measured pairing `a` is the better one: edge lengths agree better; where they agree alike, within
+/// 1 %, it is closer after the best similarity; where that is alike too, it moves the vertices less.
+bool fits_better(const Pairing& a, const Pairing& b);
 
 /// True if connectivity leaves geometry nothing to choose.
 bool is_determined(const MatchedMaps& maps);
@@ -58,11 +64,7 @@ bool is_determined(const MatchedMaps& maps);
 /// the one whose edge lengths agree best (this does not depend on the pose), of nearly equal ones that of
 /// least distance after the similarity that the unambiguous islands fix. Equal islands are assigned by
 /// distance likewise: optimally up to 400 of a kind, beyond by closest first and exchanges between
-/// neighbours. Does not measure.
+/// neighbours. Where no island is unambiguous, several beginnings are tried and the best result is taken.
 Pairing pair_islands(const MatchedMaps& maps, bool turned);
-
-/// Other automorphisms for `pair`, best first, at most `count`; orientation-reversing ones if `mirror`.
-std::vector<Images> other_automorphisms(const MatchedMaps& maps, const IslandPair& pair, bool mirror,
-                                        std::size_t count);
 
 }  // namespace counterpart

@@ -45,14 +45,15 @@ struct Frame {
 
 class Search {
   public:
-    /// `self`: the source onto itself, every solution, by connectivity alone.
-    Search(const MatchedMaps& maps, bool turned, bool self)
+    /// `self`: the source onto itself, every solution, by connectivity alone. `start`: the motion to assume
+    /// until islands have fixed it; null: none is known.
+    Search(const MatchedMaps& maps, bool turned, bool self, const Motion* start = nullptr)
         : maps_(maps),
           source_(maps.source),
           target_(self ? maps.source : maps.target),
           turned_(turned),
           self_(self),
-          geometry_(maps, false),
+          geometry_(maps, !self),
           source_islands_(islands_at_vertices(source_)),
           target_islands_(islands_at_vertices(target_)) {
         kind_of_.resize(static_cast<std::size_t>(source_.n_islands()));
@@ -73,6 +74,8 @@ class Search {
         image_.assign(static_cast<std::size_t>(source_.n_vertices()), -1);
         origin_.assign(static_cast<std::size_t>(target_.n_vertices()), -1);
         taken_.assign(target_member_.size(), false);
+        if (start != nullptr) similarity_ = *start;
+        fixed_ = start != nullptr;
         set_order();
     }
 
@@ -206,7 +209,7 @@ class Search {
                 const bool turns = (parity ^ (e >= n_even_[k] ? 1U : 0U)) != 0;
                 const bool against = turns != turned_ && !source_.is_one_sided(island);
                 if (against && self_) continue;
-                found.push_back({&member, e, against, similarity_ ? distance(k, island, member, e) : 0});
+                found.push_back({&member, e, against, self_ ? 0 : distance(k, island, member, e)});
             }
         };
         if (around != nullptr) {
@@ -225,7 +228,8 @@ class Search {
     double distance(std::size_t k, Index island, const Member& member, std::size_t element) const {
         const IslandPair pair{&maps_.classes[k], member_of_[static_cast<std::size_t>(island)], &member,
                               elements_[k][element]};
-        return residual(*similarity_, geometry_.points(pair, 16));
+        const double lengths = geometry_.length_disagreement(pair, 16);
+        return similarity_ ? lengths + residual(*similarity_, geometry_.points(pair, 16)) : lengths;
     }
 
     bool place(Index island, const Option& option, Frame& frame) {
@@ -270,7 +274,7 @@ class Search {
 
     // Refitted whenever twice as many vertices are placed as at the last fit.
     void update_similarity() {
-        if (self_) return;
+        if (self_ || fixed_) return;
         placed_ += frames_.back().assigned.size();
         if (placed_ < 2 * placed_at_fit_ || placed_ < 3) return;
         placed_at_fit_ = placed_;
@@ -289,7 +293,7 @@ class Search {
     const MatchedMaps& maps_;
     const CombinatorialMap& source_;
     const CombinatorialMap& target_;
-    bool turned_, self_, truncated_ = false;
+    bool turned_, self_, fixed_ = false, truncated_ = false;
     PairGeometry geometry_;
     std::vector<std::vector<Index>> source_islands_, target_islands_;
     std::vector<std::size_t> kind_of_, target_kind_;
@@ -299,25 +303,60 @@ class Search {
     std::vector<Index> order_, image_, origin_;
     std::vector<bool> taken_;
     std::vector<Frame> frames_;
-    std::optional<Similarity> similarity_;
+    std::optional<Motion> similarity_;
     std::size_t placed_ = 0, placed_at_fit_ = 0;
 };
 
+void put_best_first(std::vector<Pairing>& pairings) {
+    // Not an order to sort by: what is alike need not be transitive. So the best is found, then the rest is
+    // ranked by the same figures in turn.
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < pairings.size(); ++i)
+        if (fits_better(pairings[i], pairings[best])) best = i;
+    std::swap(pairings[0], pairings[best]);
+    std::stable_sort(pairings.begin() + 1, pairings.end(), [](const Pairing& a, const Pairing& b) {
+        return a.length_disagreement + a.residual < b.length_disagreement + b.residual;
+    });
+}
+
 }  // namespace
 
-Pairing pair_linked_islands(const MatchedMaps& maps, bool turned) {
+std::vector<Pairing> pair_linked_islands(const MatchedMaps& maps, bool turned, std::size_t most) {
+    // As many as a second or so allows to be measured.
+    const std::size_t most_measured =
+        std::clamp<std::size_t>(20'000'000 / static_cast<std::size_t>(maps.source.n_triangles()), 1, 1000);
+    std::vector<Pairing> found;
     Search search(maps, turned, false);
-    Pairing pairing;
     const bool complete = search.run([&] {
-        pairing = search.pairing();
-        return false;
+        found.push_back(search.pairing());
+        measure(maps, turned, found.back());
+        return found.size() < std::max(most, most_measured);
     });
-    if (!complete && pairing.pairs.empty()) {
+    if (!complete && found.empty()) {
         throw NumericalError(
             "the patches of this non-manifold mesh are too much alike to search all the ways in which "
             "they could fit; weld duplicates or remove duplicate faces");
     }
-    return pairing;
+    if (found.size() > 1) {
+        put_best_first(found);
+        // The best so far shows where the patches belong, or they lie there already: what comes first then
+        // may be better still.
+        for (const bool as_they_lie : {true, false, false}) {
+            const Motion motion = as_they_lie ? Motion{} : found[0].similarity;
+            Search again(maps, turned, false, &motion);
+            again.run([&] {
+                found.push_back(again.pairing());
+                measure(maps, turned, found.back());
+                return false;
+            });
+            if (fits_better(found.back(), found[0]))
+                std::rotate(found.begin(), found.end() - 1, found.end());
+            else
+                found.pop_back();
+        }
+    }
+    if (found.size() > most) found.resize(most);
+    return found;
 }
 
 Count count_linked_automorphisms(const MatchedMaps& maps, bool turned) {

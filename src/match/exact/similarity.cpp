@@ -9,8 +9,8 @@
 
 namespace counterpart {
 
-Similarity fit_similarity(const std::vector<PointPair>& pairs, bool reflection) {
-    Similarity fit;
+Motion fit_similarity(const std::vector<PointPair>& pairs, bool reflection) {
+    Motion fit;
     double total = 0;
     Eigen::RowVector3d source = Eigen::RowVector3d::Zero(), target = source;
     for (const PointPair& pair : pairs) {
@@ -38,7 +38,7 @@ Similarity fit_similarity(const std::vector<PointPair>& pairs, bool reflection) 
     return fit;
 }
 
-double residual(const Similarity& similarity, const std::vector<PointPair>& pairs) {
+double residual(const Motion& similarity, const std::vector<PointPair>& pairs) {
     double sum = 0, total = 0;
     for (const PointPair& pair : pairs) {
         sum += pair.weight * (similarity(pair.source) - pair.target).squaredNorm();

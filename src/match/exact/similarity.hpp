@@ -8,8 +8,8 @@
 
 namespace counterpart {
 
-/// x -> scale * rotation * x + offset, on rows.
-struct Similarity {
+/// x -> scale * rotation * x + offset, on rows; the rotation may be a reflection where that is asked for.
+struct Motion {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();  ///< scale * rotation
     Eigen::RowVector3d offset = Eigen::RowVector3d::Zero();
 
@@ -27,9 +27,9 @@ struct PointPair {
 /// Least squares over the pairs (Umeyama 1991). With `reflection` the best of rotations and reflections. Too
 /// few or degenerate pairs leave what they do not determine at a rotation of least turn; no pairs give the
 /// identity.
-Similarity fit_similarity(const std::vector<PointPair>& pairs, bool reflection = false);
+Motion fit_similarity(const std::vector<PointPair>& pairs, bool reflection = false);
 
 /// Mean over the weights of the squared distances after the motion.
-double residual(const Similarity& similarity, const std::vector<PointPair>& pairs);
+double residual(const Motion& similarity, const std::vector<PointPair>& pairs);
 
 }  // namespace counterpart

@@ -29,8 +29,10 @@ std::vector<std::size_t> spread(std::size_t size, std::size_t most) {
 // One automorphism on the sampled triangles.
 struct Candidate {
     std::size_t element, full = 0;  ///< number of the automorphism; where it is kept in full
-    double lengths = 0, distance = 0;
+    double lengths = 0, distance = 0, displacement = 0;
 };
+
+double mean_displacement(const std::vector<PointPair>& points) { return residual(Motion{}, points); }
 
 }  // namespace
 
@@ -84,7 +86,7 @@ std::vector<PointPair> PairGeometry::points(const IslandPair& pair, std::size_t 
 
 std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const AutomorphismGroup& group,
                                        const PairGeometry& geometry, IslandPair pair, bool turned,
-                                       const Similarity* similarity, std::size_t count) {
+                                       const Motion* similarity, std::size_t count) {
     const Index first = geometry.first(pair);
     const std::size_t order = group.order(), size = pair.source->from_representative.size();
     const auto sample = spread(size, std::clamp<std::size_t>((1U << 24U) / order, 8, 256));
@@ -117,7 +119,8 @@ std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const Automorphi
         return residual(similarity != nullptr ? *similarity : fit_similarity(at, turned), at);
     };
     const double floor = std::pow(1e-5 * geometry.mean_length(), 2);
-    // Best by lengths first; those that lengths cannot tell from the best, by distance.
+    // Best by lengths first; those that lengths cannot tell from the best, by distance; of those that even
+    // distance cannot tell, the least moved: an unmoved ball is matched with itself as it lies.
     const auto rank = [&] {
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Candidate& a, const Candidate& b) { return a.lengths < b.lengths; });
@@ -126,6 +129,12 @@ std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const Automorphi
                                        [&](const Candidate& c) { return c.lengths > limit; });
         std::stable_sort(candidates.begin(), tied,
                          [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+        const double farthest = 1.01 * candidates[0].distance + floor;
+        const auto in_place =
+            std::find_if(candidates.begin(), tied, [&](const Candidate& c) { return c.distance > farthest; });
+        std::stable_sort(candidates.begin(), in_place, [](const Candidate& a, const Candidate& b) {
+            return a.displacement < b.displacement;
+        });
     };
     const auto by_lengths =
         std::min_element(candidates.begin(), candidates.end(),
@@ -140,6 +149,7 @@ std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const Automorphi
                                          flags[candidate.element * sample.size() + s]),
                                 points);
         candidate.distance = measure_distance(points);
+        candidate.displacement = mean_displacement(points);
     }
     rank();
 
@@ -153,7 +163,9 @@ std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const Automorphi
         images.push_back(pair.automorphism);
         if (sample.size() == size) continue;
         candidate.lengths = geometry.length_disagreement(pair, 100'000);
-        candidate.distance = measure_distance(geometry.points(pair, 10'000));
+        const std::vector<PointPair> all = geometry.points(pair, 10'000);
+        candidate.distance = measure_distance(all);
+        candidate.displacement = mean_displacement(all);
     }
     rank();
     std::vector<Images> best;

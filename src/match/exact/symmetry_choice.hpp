@@ -41,6 +41,6 @@ class PairGeometry {
 /// more.
 std::vector<Images> rank_automorphisms(const MatchedMaps& maps, const AutomorphismGroup& group,
                                        const PairGeometry& geometry, IslandPair pair, bool turned,
-                                       const Similarity* similarity, std::size_t count);
+                                       const Motion* similarity, std::size_t count);
 
 }  // namespace counterpart

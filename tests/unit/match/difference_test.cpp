@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
+#include "support/expect_found.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/difference.hpp>
@@ -16,25 +17,6 @@ namespace {
 
 TriangleMesh lopsided() { return test::with_flipped_edges(make_icosphere(4), 300, 7).mesh; }
 
-// At least `share` of the surviving vertices right, none wrong but for those marked uncertain, and the
-// differing source triangles are the edited ones.
-void expect_found(const test::EditedMesh& edited, double share, const MeshDifference& difference,
-                  const VertexMap& mesh_from_edited) {
-    Index surviving = 0, right = 0;
-    for (std::size_t v = 0; v < edited.edited_from_original.size(); ++v) {
-        const Index now = edited.edited_from_original[v], found = difference.target_from_source.image[v];
-        const Index truth = now < 0 ? -1 : mesh_from_edited[now];
-        surviving += now >= 0;
-        right += now >= 0 && found == truth;
-        const bool doubted = std::binary_search(difference.uncertain.begin(), difference.uncertain.end(),
-                                                static_cast<Index>(v));
-        EXPECT_TRUE(found < 0 || found == truth || doubted) << "vertex " << v << " is wrong";
-    }
-    EXPECT_GE(right, share * surviving);
-    EXPECT_EQ(std::set<Index>(difference.source_triangles.begin(), difference.source_triangles.end()),
-              edited.changed);
-}
-
 TEST(FindDifferences, RefusesInvalidMeshes) {
     EXPECT_THROW(find_differences({}, make_grid(1, 1)), InvalidInput);
 }
@@ -45,7 +27,7 @@ TEST(FindDifferences, NamesAFlippedEdge) {
         const test::EditedMesh edited = test::with_flipped_edges(mesh, count, 21);
         const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
         const MeshDifference difference = find_differences(mesh, target.mesh);
-        expect_found(edited, 0.999, difference, target.mesh_from_original);
+        test::expect_found(edited, 0.999, difference, target.mesh_from_original);
         if (count > 1) continue;
         ASSERT_EQ(difference.edits.size(), 1U);
         EXPECT_NE(difference.edits[0].sentence.find("is flipped"), std::string::npos);
@@ -58,7 +40,7 @@ TEST(FindDifferences, NamesARemovedVertex) {
         const test::EditedMesh edited = test::without_vertex(mesh, seed);
         const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
         const MeshDifference difference = find_differences(mesh, target.mesh);
-        expect_found(edited, 0.999, difference, target.mesh_from_original);
+        test::expect_found(edited, 0.999, difference, target.mesh_from_original);
         ASSERT_EQ(difference.edits.size(), 1U);
         EXPECT_NE(difference.edits[0].sentence.find("is replaced by"), std::string::npos)
             << difference.edits[0].sentence;
@@ -69,7 +51,7 @@ TEST(FindDifferences, FindsMissingFaces) {
     const TriangleMesh mesh = lopsided();
     const test::EditedMesh edited = test::with_missing_triangles(mesh, 0.05, 5);
     const test::DisguisedMesh target = test::shuffled(edited.mesh, 6);
-    expect_found(edited, 0.999, find_differences(mesh, target.mesh), target.mesh_from_original);
+    test::expect_found(edited, 0.999, find_differences(mesh, target.mesh), target.mesh_from_original);
 }
 
 TEST(FindDifferences, NamesAMissingIsland) {
