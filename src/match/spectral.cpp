@@ -3,12 +3,14 @@
 #include "base/parallel.hpp"
 #include "match/spectral/doubts.hpp"
 #include "match/spectral/judgement.hpp"
+#include "match/spectral/local_search.hpp"
 #include "match/spectral/refinement.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/stopwatch.hpp>
 #include <counterpart/match/spectral.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -20,7 +22,7 @@ namespace {
 
 using namespace spectral_match;
 
-constexpr double close_margin = 0.03, poor_score = 0.3, mirror_margin = 0.1;
+constexpr double close_margin = 0.03, poor_score = 0.45, mirror_margin = 0.1;
 
 ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)
@@ -56,7 +58,8 @@ VertexMap vertex_map(std::vector<Index> image, const Shape& target) {
 void add_alternatives(SpectralResult& result, const SampledPair& pair,
                       const std::vector<Candidate>& candidates, int count) {
     for (std::size_t i = 1; i < candidates.size() && i <= static_cast<std::size_t>(count); ++i) {
-        const PairedMaps maps = match_points(pair.a.all, pair.b.all, candidates[i].functional);
+        const PairedMaps maps = match_points_nearby(pair.a, pair.b, candidates[i].functional,
+                                                    spread(pair.a, pair.b, candidates[i].maps), 2);
         result.alternatives.push_back({vertex_map(maps.b_from_a, pair.b), candidates[i].scores.total,
                                        describe(pair, candidates[0], candidates[i])});
     }
@@ -79,26 +82,29 @@ void add_warnings(SpectralResult& result, const Shape& source, const Shape& targ
 
 SpectralResult match_shapes(const Shape& source, const Shape& target, const SpectralOptions& options,
                             Stopwatch watch) {
-    constexpr std::size_t n_coarse_samples = 300, n_middle_samples = 600, n_candidates = 12;
-    const SampledPair coarse(source, target, n_coarse_samples);
+    constexpr std::size_t n_coarse_samples = 300, n_candidates = 24, n_finalists = 5;
+    constexpr double coarse_radius = 0.3;
+    const SampledPair coarse(source, target, n_coarse_samples, coarse_radius);
     std::vector<Candidate> candidates = find_candidates(coarse, options.landmarks, n_candidates);
     watch.lap("candidates");
     report(options.progress, 0.6);
-    candidates = choose(source, target, std::move(candidates), n_candidates);
+    const auto n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
+    candidates = choose(source, target, std::move(candidates), std::max(n_finalists, n_asked));
     watch.lap("choose");
     report(options.progress, 0.75);
 
     SpectralResult result;
     const Candidate& best = candidates.front();
-    PairedMaps maps = refine(source, target, best.functional);
+    PairedMaps maps = refine(source, target, best);
     watch.lap("refine");
     report(options.progress, 0.95);
     result.score = best.scores.total;
     result.margin = candidates.size() > 1 ? result.score - candidates[1].scores.total
                                           : std::numeric_limits<double>::infinity();
     result.confidence = confidence(source, target, maps, result.score);
-    add_alternatives(result, SampledPair(source, target, n_middle_samples), candidates,
-                     options.n_alternatives);
+    add_alternatives(result,
+                     SampledPair(source, target, std::max(source.samples.size(), target.samples.size()), 0),
+                     candidates, options.n_alternatives);
     result.target_from_source = vertex_map(std::move(maps.b_from_a), target);
     result.source_from_target = vertex_map(std::move(maps.a_from_b), source);
     add_warnings(result, source, target);

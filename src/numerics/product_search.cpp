@@ -3,6 +3,7 @@
 #include "numerics/product_search.hpp"
 
 #include "base/parallel.hpp"
+#include "numerics/simd.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -43,25 +44,6 @@ struct Panels {
     const float* panel(Index p) const {
         return data.data() + static_cast<std::size_t>(p) * static_cast<std::size_t>(width * dimension);
     }
-};
-
-// Vectors of the compiler's own, written out because an attribute may not depend on a template parameter.
-template <int lanes>
-struct Simd;
-template <>
-struct Simd<4> {
-    typedef float Floats __attribute__((vector_size(16)));
-    typedef std::int32_t Ints __attribute__((vector_size(16)));
-};
-template <>
-struct Simd<8> {
-    typedef float Floats __attribute__((vector_size(32)));
-    typedef std::int32_t Ints __attribute__((vector_size(32)));
-};
-template <>
-struct Simd<16> {
-    typedef float Floats __attribute__((vector_size(64)));
-    typedef std::int32_t Ints __attribute__((vector_size(64)));
 };
 
 // One task: rows [first_panel, last_panel) of x against all of y. `lanes` is the width of the machine's

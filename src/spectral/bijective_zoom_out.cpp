@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "spectral/bijective_zoom_out.hpp"
 
+#include "numerics/product.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,7 +22,7 @@ VectorF multiplicities(const std::vector<Index>& map, Index size) {
 // Phi^T diag(weights) Phi, factorized, with a trace of regularization for fewer points than functions.
 Eigen::LLT<Eigen::MatrixXf> normal_matrix(const MatrixF& functions, const VectorF& weights) {
     const MatrixF weighted = weights.asDiagonal() * functions;
-    Eigen::MatrixXf gram = weighted.transpose() * functions;
+    Eigen::MatrixXf gram = transposed_product(weighted, functions);
     gram.diagonal().array() += 1e-5F * gram.diagonal().maxCoeff();
     return Eigen::LLT<Eigen::MatrixXf>(gram);
 }
@@ -50,7 +52,7 @@ PairedFunctionalMaps fit_functional_maps(const SpectralPoints& a, const Spectral
         pulled.row(i) = phi_b.row(maps.b_from_a[static_cast<std::size_t>(i)]);
     for (Index j = 0; j < b.size(); ++j)
         pulled.row(maps.a_from_b[static_cast<std::size_t>(j)]) += phi_b.row(j);
-    const Eigen::MatrixXf cross = phi_a.transpose() * pulled;
+    const Eigen::MatrixXf cross = transposed_product(phi_a, pulled);
     PairedFunctionalMaps result;
     result.a_from_b = normal_matrix(phi_a, multiplicities(maps.a_from_b, a.size())).solve(cross);
     result.b_from_a = normal_matrix(phi_b, multiplicities(maps.b_from_a, b.size())).solve(cross.transpose());
@@ -64,10 +66,10 @@ PairedFunctionalMaps fit_functional_maps(const SpectralPoints& a, const Spectral
 PairCoordinates pair_coordinates(const SpectralPoints& a, const SpectralPoints& b,
                                  const PairedFunctionalMaps& maps, const ExtraCoordinates& extra) {
     const Eigen::Index ka = maps.a_from_b.rows(), kb = maps.a_from_b.cols();
-    const auto phi_a = a.functions.leftCols(ka), phi_b = b.functions.leftCols(kb);
+    const MatrixF phi_a = a.functions.leftCols(ka), phi_b = b.functions.leftCols(kb);
     PairCoordinates pair;
-    const MatrixF b_in_a = phi_b * maps.a_from_b.transpose();  // Phi_B C^T
-    const MatrixF a_in_b = phi_a * maps.b_from_a.transpose();  // Phi_A D^T
+    const MatrixF b_in_a = product(phi_b, maps.a_from_b.transpose());  // Phi_B C^T
+    const MatrixF a_in_b = product(phi_a, maps.b_from_a.transpose());  // Phi_A D^T
     pair.half_a = (phi_a.rowwise().squaredNorm() + a_in_b.rowwise().squaredNorm()) / 2;
     pair.half_b = (b_in_a.rowwise().squaredNorm() + phi_b.rowwise().squaredNorm()) / 2;
     // <[Phi_A | Phi_A D^T], [Phi_B C^T | Phi_B]> = Phi_A (C + D^T) Phi_B^T: half the dimensions do.
@@ -76,7 +78,7 @@ PairCoordinates pair_coordinates(const SpectralPoints& a, const SpectralPoints& 
     pair.a.resize(a.size(), ka + n_extra);
     pair.b.resize(b.size(), ka + n_extra);
     pair.a.leftCols(ka) = phi_a;
-    pair.b.leftCols(ka).noalias() = phi_b * both;
+    pair.b.leftCols(ka) = product(phi_b, both);
     if (n_extra > 0) {
         pair.a.rightCols(n_extra) = extra.a;
         pair.b.rightCols(n_extra) = extra.b;

@@ -61,10 +61,10 @@ Candidate grow(const SampledPair& pair, const PairedFunctionalMaps& start) {
     Candidate candidate;
     candidate.maps = match_points(pair.points_a, pair.points_b, start);
     candidate.maps = zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps),
-                              sizes_between(std::min(first + 1, coarse_size), coarse_size, 3), false);
+                              sizes_between(std::min(first + 1, coarse_size), coarse_size, 5), false);
     candidate.functional =
         fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, coarse_size, false);
-    candidate.scores = score_maps(pair, candidate.maps, candidate.functional, 2, 0.3);
+    candidate.scores = score_maps(pair, candidate.maps, candidate.functional, coarse_score);
     return candidate;
 }
 
@@ -134,7 +134,7 @@ double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, doubl
 std::vector<Candidate> find_candidates(const SampledPair& pair,
                                        const std::vector<std::pair<Index, Index>>& landmarks,
                                        std::size_t count) {
-    constexpr std::size_t n_matchings = 24, n_varied = 10;
+    constexpr std::size_t n_matchings = 24, n_varied = 24, n_pool = 60;
     constexpr int n_rounds = 4, first_flip = 5, last_flip = 17;
     constexpr double least_difference = 0.05;
     std::vector<std::vector<std::pair<Index, Index>>> anchors;
@@ -190,7 +190,7 @@ std::vector<Candidate> find_candidates(const SampledPair& pair,
             candidates[n_before + f] =
                 grow(pair, flipped(candidates[flips[f].first].functional, flips[f].second));
         });
-        keep_distinct(candidates, distance, least_difference, count * 2);
+        keep_distinct(candidates, distance, least_difference, n_pool);
     }
     if (candidates.size() > count) candidates.resize(count);
     return candidates;

@@ -24,8 +24,8 @@ void sort_unique(std::vector<Index>& list) {
     list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-// Cells within two steps of each cell, itself included.
-Lists near_cells(const Shape& shape) {
+// Cells within `rings` steps of each cell, itself included.
+Lists near_cells(const Shape& shape, int rings) {
     Lists touching(shape.samples.size());
     const auto cell = [&](Index v) { return shape.cell_of_vertex[static_cast<std::size_t>(v)]; };
     for (std::size_t c = 0; c < touching.size(); ++c) touching[c].push_back(static_cast<Index>(c));
@@ -40,12 +40,15 @@ Lists near_cells(const Shape& shape) {
     }
     for (auto& list : touching) sort_unique(list);
     Lists near = touching;
-    for (std::size_t c = 0; c < near.size(); ++c) {
-        for (const Index neighbor : touching[c]) {
-            const auto& further = touching[static_cast<std::size_t>(neighbor)];
-            near[c].insert(near[c].end(), further.begin(), further.end());
+    for (int ring = 1; ring < rings; ++ring) {
+        for (auto& list : near) {
+            const std::vector<Index> inner = list;
+            for (const Index neighbor : inner) {
+                const auto& further = touching[static_cast<std::size_t>(neighbor)];
+                list.insert(list.end(), further.begin(), further.end());
+            }
+            sort_unique(list);
         }
-        sort_unique(near[c]);
     }
     return near;
 }
@@ -56,38 +59,73 @@ MatrixF rows_of(const MatrixF& all, const std::vector<Index>& rows) {
     return result;
 }
 
-// from -> to, where x and y are coordinates whose products count and `bias` half the squared lengths on `to`.
-std::vector<Index> search(const Lists& from_cells, const Lists& to_cells, const Lists& to_near,
-                          const std::vector<Index>& to_from, const MatrixF& x, const MatrixF& y,
-                          const VectorF& bias) {
-    std::vector<Index> image(static_cast<std::size_t>(x.rows()));
-    parallel_for(from_cells.size(), 1, [&](std::size_t c) {
-        std::vector<Index> choices;
-        for (const Index near : to_near[static_cast<std::size_t>(to_from[c])]) {
-            const auto& cell = to_cells[static_cast<std::size_t>(near)];
+// One side of a pair of shapes as the search sees it.
+struct Side {
+    const Shape& shape;
+    const MatrixF& coordinates;
+    const VectorF& bias;  // half the squared lengths
+    Lists cells, near;
+
+    Side(const Shape& of, const MatrixF& coordinates_, const VectorF& bias_, int rings)
+        : shape(of),
+          coordinates(coordinates_),
+          bias(bias_),
+          cells(vertices_of_cells(of)),
+          near(near_cells(of, rings)) {}
+};
+
+std::vector<Index> search(const Side& from, const Side& to, const std::vector<Index>& guess) {
+    std::vector<Index> image = guess;
+    parallel_for(from.cells.size(), 1, [&](std::size_t c) {
+        if (from.cells[c].empty()) return;
+        std::vector<Index> around, choices;
+        for (const Index v : from.cells[c])
+            around.push_back(
+                to.shape.cell_of_vertex[static_cast<std::size_t>(guess[static_cast<std::size_t>(v)])]);
+        sort_unique(around);
+        std::vector<Index> wider;
+        for (const Index cell : around) {
+            const auto& near = to.near[static_cast<std::size_t>(cell)];
+            wider.insert(wider.end(), near.begin(), near.end());
+        }
+        sort_unique(wider);
+        for (const Index near : wider) {
+            const auto& cell = to.cells[static_cast<std::size_t>(near)];
             choices.insert(choices.end(), cell.begin(), cell.end());
         }
         std::sort(choices.begin(), choices.end());
-        const MatrixF ours = rows_of(x, from_cells[c]), theirs = rows_of(y, choices);
-        VectorF their_bias(theirs.rows());
+        const MatrixF ours = rows_of(from.coordinates, from.cells[c]),
+                      theirs = rows_of(to.coordinates, choices);
+        VectorF bias(theirs.rows());
         for (std::size_t i = 0; i < choices.size(); ++i)
-            their_bias[static_cast<Eigen::Index>(i)] = bias[choices[i]];
-        const BestPartners found = best_partners(ours, theirs, VectorF::Zero(ours.rows()), their_bias);
-        for (std::size_t i = 0; i < from_cells[c].size(); ++i)
-            image[static_cast<std::size_t>(from_cells[c][i])] =
+            bias[static_cast<Eigen::Index>(i)] = to.bias[choices[i]];
+        const BestPartners found = best_partners(ours, theirs, VectorF::Zero(ours.rows()), bias);
+        for (std::size_t i = 0; i < from.cells[c].size(); ++i)
+            image[static_cast<std::size_t>(from.cells[c][i])] =
                 choices[static_cast<std::size_t>(found.of_row[i])];
     });
     return image;
 }
 
+std::vector<Index> spread_one(const Shape& from, const Shape& to, const std::vector<Index>& map) {
+    std::vector<Index> image(from.cell_of_vertex.size());
+    for (std::size_t v = 0; v < image.size(); ++v)
+        image[v] =
+            to.samples[static_cast<std::size_t>(map[static_cast<std::size_t>(from.cell_of_vertex[v])])];
+    return image;
+}
+
 }  // namespace
 
+PairedMaps spread(const Shape& a, const Shape& b, const PairedMaps& sample_maps) {
+    return {spread_one(a, b, sample_maps.b_from_a), spread_one(b, a, sample_maps.a_from_b)};
+}
+
 PairedMaps match_points_nearby(const Shape& a, const Shape& b, const PairedFunctionalMaps& functional,
-                               const PairedMaps& sample_maps) {
-    const PairCoordinates pair = pair_coordinates(a.all, b.all, functional);
-    const Lists cells_a = vertices_of_cells(a), cells_b = vertices_of_cells(b);
-    return {search(cells_a, cells_b, near_cells(b), sample_maps.b_from_a, pair.a, pair.b, pair.half_b),
-            search(cells_b, cells_a, near_cells(a), sample_maps.a_from_b, pair.b, pair.a, pair.half_a)};
+                               const PairedMaps& guess, int rings, const ExtraCoordinates& extra) {
+    const PairCoordinates pair = pair_coordinates(a.all, b.all, functional, extra);
+    const Side on_a(a, pair.a, pair.half_a, rings), on_b(b, pair.b, pair.half_b, rings);
+    return {search(on_a, on_b, guess.b_from_a), search(on_b, on_a, guess.a_from_b)};
 }
 
 }  // namespace counterpart::spectral_match

@@ -6,9 +6,13 @@
 
 namespace counterpart::spectral_match {
 
-/// As match_points between all vertices, but each vertex looks only near the image of its sample: for meshes
-/// where all against all is too much. `sample_maps` are between the samples.
+/// Maps of all vertices from maps of the samples: each vertex follows its nearest sample.
+PairedMaps spread(const Shape& a, const Shape& b, const PairedMaps& sample_maps);
+
+/// As match_points between all vertices, but each vertex looks only near the images that it and the vertices
+/// around it have in `guess`: among the vertices of the samples' cells there, and of `rings` rings of cells
+/// around them. Linear in the number of vertices.
 PairedMaps match_points_nearby(const Shape& a, const Shape& b, const PairedFunctionalMaps& functional,
-                               const PairedMaps& sample_maps);
+                               const PairedMaps& guess, int rings, const ExtraCoordinates& extra = {});
 
 }  // namespace counterpart::spectral_match

@@ -13,6 +13,8 @@
 namespace counterpart::spectral_match {
 namespace {
 
+constexpr int chosen_size = 150;  // functions among which the best candidate is chosen
+
 // Curvature at four scales and eight wave kernel columns, each of mean 0 and variance 1.
 MatrixF features(const Shape& shape, float weight) {
     Eigen::MatrixXd all(shape.mesh.n_vertices(), 12);
@@ -41,23 +43,37 @@ MatrixF beside(const MatrixF& x, const Points& positions, float position_weight,
     return all;
 }
 
+// Candidates carried on to more functions on the samples of `pair`, best first. Scores are of the functional
+// maps between the first `scored_size` functions.
+void grow_all(std::vector<Candidate>& candidates, const SampledPair& pair, const std::vector<int>& sizes,
+              bool masked, int scored_size, const ScoreWeights& weights) {
+    parallel_for(candidates.size(), 1, [&](std::size_t i) {
+        Candidate& candidate = candidates[i];
+        candidate.maps = match_points(pair.points_a, pair.points_b, candidate.functional);
+        candidate.maps = zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps), sizes, masked);
+        candidate.functional =
+            fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, sizes.back(), masked);
+        candidate.scores = score_maps(
+            pair, candidate.maps,
+            fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, scored_size, false), weights);
+    });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
+}
+
 }  // namespace
 
-PairedMaps refine(const Shape& a, const Shape& b, const PairedFunctionalMaps& start,
-                  const RefineOptions& options) {
-    const SampledPair pair(a, b, a.samples.size());
-    PairedMaps maps = match_points(pair.points_a, pair.points_b, start);
+PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options) {
+    const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
     std::vector<int> sizes;
-    for (int k = 90; k <= options.last; k += 10) sizes.push_back(k);
-    maps = zoom_out(pair.points_a, pair.points_b, std::move(maps), sizes, true);
+    for (int k = chosen_size + 10; k <= options.last; k += 10) sizes.push_back(k);
+    const PairedMaps sample_maps = zoom_out(pair.points_a, pair.points_b, start.maps, sizes, true);
     PairedFunctionalMaps functional =
-        fit_functional_maps(pair.points_a, pair.points_b, maps, options.last, true);
-    if (std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > large_mesh)
-        return match_points_nearby(a, b, functional, maps);
-
+        fit_functional_maps(pair.points_a, pair.points_b, sample_maps, options.last, true);
     const MatrixF features_a = features(a, options.feature_weight),
                   features_b = features(b, options.feature_weight);
-    maps = match_points(a.all, b.all, functional, {features_a, features_b});
+    PairedMaps maps =
+        match_points_nearby(a, b, functional, spread(a, b, sample_maps), 2, {features_a, features_b});
     const ElasticFit fit(a.mesh.vertices, a.laplacian, options.stiffness_length);
     const MatrixF place_b =
         beside(features_b, b.mesh.vertices, options.position_weight, b.normals, options.normal_weight);
@@ -67,8 +83,8 @@ PairedMaps refine(const Shape& a, const Shape& b, const PairedFunctionalMaps& st
         const Points images = positions_of_images(b, maps.b_from_a);
         moved = fit(images, round == 0 ? images : moved, options.iterations);
         const Points normals = vertex_normals({moved, a.mesh.triangles});
-        maps = match_points(
-            a.all, b.all, functional,
+        maps = match_points_nearby(
+            a, b, functional, maps, 1,
             {beside(features_a, moved, options.position_weight, normals, options.normal_weight), place_b});
     }
     return maps;
@@ -76,20 +92,10 @@ PairedMaps refine(const Shape& a, const Shape& b, const PairedFunctionalMaps& st
 
 std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
                               std::size_t count) {
-    const auto better = [](const Candidate& x, const Candidate& y) {
-        return x.scores.total > y.scores.total;
-    };
-    const SampledPair pair(a, b, 600);
-    parallel_for(candidates.size(), 1, [&](std::size_t i) {
-        Candidate& candidate = candidates[i];
-        candidate.maps = match_points(pair.points_a, pair.points_b, candidate.functional);
-        candidate.maps =
-            zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps), {40, 50, 60, 80}, false);
-        candidate.functional = fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, 80, false);
-        candidate.scores = score_maps(pair, candidate.maps, candidate.functional, 1, 0.2);
-    });
-    std::stable_sort(candidates.begin(), candidates.end(), better);
+    grow_all(candidates, SampledPair(a, b, 600, 0.2), {40, 50, 60, 80}, false, 80, middle_score);
     if (candidates.size() > count) candidates.resize(count);
+    const std::size_t all = std::max(a.samples.size(), b.samples.size());
+    grow_all(candidates, SampledPair(a, b, all, 0.15), {95, 110, 130, chosen_size}, true, 100, fine_score);
     return candidates;
 }
 

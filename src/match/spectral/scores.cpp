@@ -34,58 +34,103 @@ double attained(const Eigen::Matrix3d& covariance) {
     return s[2] + s[1] + (covariance.determinant() < 0 ? -s[0] : s[0]);
 }
 
-// Over all distance samples: the samples within the radius, their images, and what is left of the images
-// after the best rotation.
-double rigid_residual(const Shape& from, const Shape& to, const std::vector<Index>& map, double radius) {
+// Over all neighbourhoods: what is left of the images after the best rotation.
+double rigid_residual(const MatrixF& from, const MatrixF& to, const std::vector<Index>& map,
+                      const Neighborhoods& near) {
     constexpr int least = 5;
-    const Eigen::Index n_centers =
-        std::min<Eigen::Index>(from.sample_distances.rows(), static_cast<Eigen::Index>(map.size()));
     double sum = 0;
     int count = 0;
-    for (Eigen::Index s = 0; s < n_centers; ++s) {
-        Eigen::Matrix3d product = Eigen::Matrix3d::Zero();
-        Eigen::RowVector3d sum_x = Eigen::RowVector3d::Zero(), sum_y = sum_x;
-        double squares = 0;
-        int n = 0;
-        for (std::size_t t = 0; t < map.size(); ++t) {
-            if (from.sample_distances(s, from.samples[t]) >= radius) continue;
-            const Eigen::RowVector3d x = from.mesh.vertices.row(from.samples[t]);
-            const Eigen::RowVector3d y = to.mesh.vertices.row(to.samples[static_cast<std::size_t>(map[t])]);
-            product += x.transpose() * y;
+    for (std::size_t s = 0; s + 1 < near.first.size(); ++s) {
+        const auto n = static_cast<int>(near.first[s + 1] - near.first[s]);
+        if (n < least) continue;
+        Eigen::Matrix3f moments = Eigen::Matrix3f::Zero();
+        Eigen::RowVector3f sum_x = Eigen::RowVector3f::Zero(), sum_y = sum_x;
+        float squares = 0;
+        // About one of the points, so that single precision is enough.
+        const Eigen::RowVector3f origin_x = from.row(near.samples[near.first[s]]);
+        const Eigen::RowVector3f origin_y =
+            to.row(map[static_cast<std::size_t>(near.samples[near.first[s]])]);
+        for (std::size_t i = near.first[s]; i < near.first[s + 1]; ++i) {
+            const Eigen::RowVector3f x = from.row(near.samples[i]) - origin_x;
+            const Eigen::RowVector3f y = to.row(map[static_cast<std::size_t>(near.samples[i])]) - origin_y;
+            moments += x.transpose() * y;
             squares += x.squaredNorm() + y.squaredNorm();
             sum_x += x;
             sum_y += y;
-            ++n;
         }
-        if (n < least) continue;
-        product -= sum_x.transpose() * sum_y / n;
-        squares -= (sum_x.squaredNorm() + sum_y.squaredNorm()) / n;
+        moments -= sum_x.transpose() * sum_y / static_cast<float>(n);
+        squares -= (sum_x.squaredNorm() + sum_y.squaredNorm()) / static_cast<float>(n);
         if (squares <= 0) continue;
-        sum += 1 - 2 * attained(product) / squares;
+        sum += 1 - 2 * attained(moments.cast<double>()) / squares;
         ++count;
     }
     return count > 0 ? sum / count : 0;
 }
 
+MatrixF sample_positions(const Shape& shape, Index n) {
+    MatrixF positions(n, 3);
+    for (Index i = 0; i < n; ++i)
+        positions.row(i) = shape.mesh.vertices.row(shape.samples[static_cast<std::size_t>(i)]).cast<float>();
+    return positions;
+}
+
+double frequency_drift(const MatrixF& map, const VectorF& row_frequencies,
+                       const VectorF& column_frequencies) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < map.rows(); ++i) {
+        for (Eigen::Index j = 0; j < map.cols(); ++j) {
+            const double x = row_frequencies[i] * row_frequencies[i];
+            const double y = column_frequencies[j] * column_frequencies[j];
+            const double gap = (x - y) / (x + y + 1e-9), entry = map(i, j);
+            sum += entry * entry * gap * gap;
+        }
+    }
+    return sum / static_cast<double>(map.cols());
+}
+
 }  // namespace
 
+SampledPair::SampledPair(const Shape& shape_a, const Shape& shape_b, std::size_t n, double radius)
+    : a(shape_a),
+      b(shape_b),
+      points_a(sampled(shape_a, n)),
+      points_b(sampled(shape_b, n)),
+      positions_a(sample_positions(shape_a, points_a.size())),
+      positions_b(sample_positions(shape_b, points_b.size())),
+      near_a(shape_a, n, radius),
+      near_b(shape_b, n, radius) {}
+
+Neighborhoods::Neighborhoods(const Shape& shape, std::size_t n, double radius) : first{0} {
+    n = std::min(n, shape.samples.size());
+    const auto n_centers =
+        std::min<Eigen::Index>(shape.sample_distances.rows(), static_cast<Eigen::Index>(n));
+    for (Eigen::Index s = 0; s < n_centers; ++s) {
+        for (std::size_t t = 0; t < n; ++t)
+            if (shape.sample_distances(s, shape.samples[t]) < radius)
+                samples.push_back(static_cast<Index>(t));
+        first.push_back(samples.size());
+    }
+}
+
 Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedFunctionalMaps& functional,
-                  int curvature_scale, double radius) {
+                  const ScoreWeights& weights) {
     Scores scores;
-    scores.curvature = (curvature_correlation(pair.a, pair.b, maps.b_from_a, curvature_scale) +
-                        curvature_correlation(pair.b, pair.a, maps.a_from_b, curvature_scale)) /
+    scores.curvature = (curvature_correlation(pair.a, pair.b, maps.b_from_a, weights.curvature_scale) +
+                        curvature_correlation(pair.b, pair.a, maps.a_from_b, weights.curvature_scale)) /
                        2;
     scores.orientation = orientation_score(pair.a.orientation, pair.b.orientation, functional.a_from_b);
     const Eigen::MatrixXf c = functional.a_from_b;
     Eigen::MatrixXf excess = c.transpose() * c;
     excess.diagonal().array() -= 1;
     scores.orthogonality = excess.squaredNorm() / static_cast<double>(c.cols());
-    scores.rigidity = (rigid_residual(pair.a, pair.b, maps.b_from_a, radius) +
-                       rigid_residual(pair.b, pair.a, maps.a_from_b, radius)) /
+    scores.rigidity = (rigid_residual(pair.positions_a, pair.positions_b, maps.b_from_a, pair.near_a) +
+                       rigid_residual(pair.positions_b, pair.positions_a, maps.a_from_b, pair.near_b)) /
                       2;
-    // Weights fitted by pairwise ranking of right against wrong maps.
-    scores.total = scores.curvature + 0.15 * scores.orientation - 2.5 * std::min(scores.orthogonality, 1.0) -
-                   0.7 * scores.rigidity;
+    scores.commutativity =
+        frequency_drift(functional.a_from_b, pair.points_a.frequencies, pair.points_b.frequencies);
+    scores.total = scores.curvature + weights.orientation * scores.orientation -
+                   weights.orthogonality * std::min(scores.orthogonality, 1.0) -
+                   weights.commutativity * scores.commutativity - weights.rigidity * scores.rigidity;
     return scores;
 }
 
