@@ -22,7 +22,7 @@ namespace {
 
 using namespace spectral_match;
 
-constexpr double close_margin = 0.03, poor_score = 0.45, mirror_margin = 0.1;
+constexpr double close_margin = 0.03, poor_score = 0.5, mirror_margin = 0.1;
 
 ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)

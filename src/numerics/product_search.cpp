@@ -32,17 +32,21 @@ struct Panels {
         : width(panel_width),
           count((static_cast<Index>(points.rows()) + panel_width - 1) / panel_width),
           dimension(static_cast<Index>(points.cols())),
-          data(static_cast<std::size_t>(count) * static_cast<std::size_t>(width * dimension), 0.0F),
+          data(static_cast<std::size_t>(count) * static_cast<std::size_t>(width) *
+                   static_cast<std::size_t>(dimension),
+               0.0F),
           bias(static_cast<std::size_t>(count * width), never) {
         for (Index i = 0; i < static_cast<Index>(points.rows()); ++i) {
-            float* panel = data.data() +
-                           static_cast<std::size_t>(i / width) * static_cast<std::size_t>(width * dimension);
+            float* panel = data.data() + static_cast<std::size_t>(i / width) *
+                                             static_cast<std::size_t>(width) *
+                                             static_cast<std::size_t>(dimension);
             for (Index d = 0; d < dimension; ++d) panel[d * width + i % width] = points(i, d);
             bias[static_cast<std::size_t>(i)] = biases[i];
         }
     }
     const float* panel(Index p) const {
-        return data.data() + static_cast<std::size_t>(p) * static_cast<std::size_t>(width * dimension);
+        return data.data() + static_cast<std::size_t>(p) * static_cast<std::size_t>(width) *
+                                 static_cast<std::size_t>(dimension);
     }
 };
 
@@ -54,7 +58,7 @@ template <int lanes>
     using Floats = typename Simd<lanes>::Floats;
     using Ints = typename Simd<lanes>::Ints;
     constexpr int width = 2;  // vectors per tile
-    const auto n_rows = static_cast<std::size_t>((last_panel - first_panel) * tile_rows);
+    const auto n_rows = static_cast<std::size_t>(last_panel - first_panel) * tile_rows;
     constexpr std::size_t stride = width * lanes;
     std::vector<float> row_value(n_rows * stride, -2 * never);
     std::vector<std::int32_t> row_index(n_rows * stride, 0);
@@ -64,7 +68,7 @@ template <int lanes>
     for (Index q = 0; q < y.count; ++q) {
         Floats column_bias[width], column_best[width];
         Ints column_index[width], here[width];
-        const auto offset = static_cast<std::size_t>(q * y.width);
+        const auto offset = static_cast<std::size_t>(q) * static_cast<std::size_t>(y.width);
         for (int w = 0; w < width; ++w) {
             __builtin_memcpy(&column_bias[w], y.bias.data() + offset + static_cast<std::size_t>(w * lanes),
                              sizeof(Floats));

@@ -76,21 +76,6 @@ PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
     return result;
 }
 
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double least,
-                   std::size_t count) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
-    std::vector<Candidate> kept;
-    for (Candidate& candidate : candidates) {
-        if (kept.size() == count) break;
-        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-            return distance(candidate.maps, other.maps) >= least;
-        });
-        if (is_new) kept.push_back(std::move(candidate));
-    }
-    candidates = std::move(kept);
-}
-
 }  // namespace
 
 MapDistance::MapDistance(const SampledPair& pair) : a_(pair.a), b_(pair.b) {
@@ -121,6 +106,12 @@ double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
     return (mean(b_, nearest_b_, x.b_from_a, y.b_from_a) + mean(a_, nearest_a_, x.a_from_b, y.a_from_b)) / 2;
 }
 
+double MapDistance::on_b(Index sample, Index other) const {
+    return b_.sample_distances(
+        nearest_b_[static_cast<std::size_t>(sample)],
+        b_.samples[static_cast<std::size_t>(nearest_b_[static_cast<std::size_t>(other)])]);
+}
+
 double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const {
     std::size_t count = 0;
     for (std::size_t s = 0; s < x.b_from_a.size(); ++s) {
@@ -129,6 +120,21 @@ double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, doubl
         if (b_.sample_distances(i, b_.samples[static_cast<std::size_t>(j)]) > distance) ++count;
     }
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
+}
+
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double least,
+                   std::size_t count) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
+    std::vector<Candidate> kept;
+    for (Candidate& candidate : candidates) {
+        if (kept.size() == count) break;
+        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
+            return distance(candidate.maps, other.maps) >= least;
+        });
+        if (is_new) kept.push_back(std::move(candidate));
+    }
+    candidates = std::move(kept);
 }
 
 std::vector<Candidate> find_candidates(const SampledPair& pair,

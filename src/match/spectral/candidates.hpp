@@ -18,6 +18,8 @@ class MapDistance {
   public:
     explicit MapDistance(const SampledPair& pair);
     double operator()(const PairedMaps& x, const PairedMaps& y) const;
+    /// Distance on B between two of its samples.
+    double on_b(Index sample, Index other) const;
     /// Share of the samples of A that the two maps take farther apart than `distance`.
     double share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const;
 
@@ -26,6 +28,10 @@ class MapDistance {
     const Shape& b_;
     std::vector<Index> nearest_a_, nearest_b_;  // distance sample of each sample
 };
+
+/// Sorts by score and keeps the best `count` that are `least` apart.
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double least,
+                   std::size_t count);
 
 /// Starts from extremities (or `landmarks`: vertices of A and B), grown and varied; best first, all
 /// different.

@@ -13,7 +13,7 @@ namespace counterpart::spectral_match {
 
 Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double score) {
     const Adjacency adjacency(a.mesh);
-    const double whole = 1 / (1 + std::exp(-(score - 0.6) / 0.1));
+    const double whole = 1 / (1 + std::exp(-(score - 0.62) / 0.1));
     Vector result(a.mesh.n_vertices());
     for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
         const Index image = maps.b_from_a[static_cast<std::size_t>(v)];
