@@ -98,6 +98,13 @@ CornerAttribute unwrap(const TriangleMesh& mesh) {
     return coordinates;
 }
 
+// Lighter the higher, one colour for each vertex.
+CornerAttribute shade(const TriangleMesh& mesh) {
+    Matrix values = Matrix::Ones(mesh.n_vertices(), 4);
+    values.leftCols<3>() = (0.75 + 0.2 * mesh.vertices.array()).cwiseMax(0.5).cwiseMin(1);
+    return {as_floats(values), mesh.triangles};
+}
+
 }  // namespace
 
 Character make_character(const BodyOptions& options) {
@@ -109,6 +116,7 @@ Character make_character(const BodyOptions& options) {
     const std::vector<Bone> skeleton = bones();
     for (const Bone& bone : skeleton) character.joints.push_back(bone.joint);
     content.texture_coordinates = {unwrap(content.mesh)};
+    content.colors = {shade(content.mesh)};
     content.skin = bind(vertices, skeleton);
     content.morphs = {blend_shape("smile", vertices, {0, .77, .05}, .1, {0, .02, 0}, .5),
                       blend_shape("belly", vertices, {0, .42, .02}, .2, {0, 0, .05}, .2),

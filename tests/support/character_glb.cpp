@@ -8,6 +8,7 @@
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/render/image.hpp>
 
+#include <array>
 #include <map>
 #include <numeric>
 
@@ -24,25 +25,29 @@ struct SplitVertices {
     std::vector<Index> corners;  // three for each triangle
 };
 
-SplitVertices split(const AttributedMesh& content, std::uint64_t seed) {
+SplitVertices split(const AttributedMesh& content, const CharacterExport& options) {
     const CornerAttribute& uv = content.texture_coordinates.at(0);
-    std::map<std::pair<Index, Index>, Index> number_of;
+    using Key = std::array<Index, 3>;
+    const auto key_of = [&](Index t, int c) {
+        return Key{content.mesh.triangles(t, c), uv.corners(t, c),
+                   options.every_corner_alone ? 3 * t + c : 0};
+    };
+    std::map<Key, Index> number_of;
     for (Index t = 0; t < content.mesh.n_triangles(); ++t)
-        for (int c = 0; c < 3; ++c) number_of[{content.mesh.triangles(t, c), uv.corners(t, c)}] = 0;
+        for (int c = 0; c < 3; ++c) number_of[key_of(t, c)] = 0;
     std::vector<Index> order(number_of.size());
     std::iota(order.begin(), order.end(), 0);
-    Random random(seed);
-    if (seed != 0) random.shuffle(order);
+    Random random(options.shuffle_seed);
+    if (options.shuffle_seed != 0) random.shuffle(order);
     SplitVertices result{std::vector<Index>(order.size()), std::vector<Index>(order.size()), {}};
     auto next = order.begin();
     for (auto& [key, number] : number_of) {
         number = *next++;
-        result.vertex[static_cast<std::size_t>(number)] = key.first;
-        result.row[static_cast<std::size_t>(number)] = key.second;
+        result.vertex[static_cast<std::size_t>(number)] = key[0];
+        result.row[static_cast<std::size_t>(number)] = key[1];
     }
     for (Index t = 0; t < content.mesh.n_triangles(); ++t)
-        for (int c = 0; c < 3; ++c)
-            result.corners.push_back(number_of.at({content.mesh.triangles(t, c), uv.corners(t, c)}));
+        for (int c = 0; c < 3; ++c) result.corners.push_back(number_of.at(key_of(t, c)));
     return result;
 }
 
@@ -91,6 +96,15 @@ struct Glb {
         return file + std::string("BIN\0", 4) + binary;
     }
 };
+
+Matrix colors_at_vertices(const AttributedMesh& content) {
+    const CornerAttribute& colors = content.colors.at(0);
+    Matrix values(content.mesh.n_vertices(), colors.values.cols());
+    for (Index t = 0; t < content.mesh.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c)
+            values.row(content.mesh.triangles(t, c)) = colors.values.row(colors.corners(t, c));
+    return values;
+}
 
 // A checkerboard that is red in front and blue behind.
 std::string texture_png() {
@@ -146,38 +160,48 @@ void add_wave(Glb& glb) {
          {"samplers", {{{"input", glb.floats(times, true)}, {"output", glb.floats(turns)}}}}}};
 }
 
+// What is attached to the vertices of the file.
+void add_attributes(Glb& glb, Json& primitive, const AttributedMesh& content, const SplitVertices& file) {
+    Json& attributes = primitive["attributes"];
+    attributes["TEXCOORD_0"] = glb.floats(content.texture_coordinates[0].values(file.row, Eigen::all));
+    // Colours are smooth: one for each vertex.
+    attributes["COLOR_0"] = glb.floats(colors_at_vertices(content)(file.vertex, Eigen::all));
+    const Matrix joints = content.skin.joints(file.vertex, Eigen::all).cast<double>();
+    attributes["JOINTS_0"] = glb.accessor<std::uint8_t>(joints, 5121);
+    attributes["WEIGHTS_0"] = glb.floats(content.skin.weights(file.vertex, Eigen::all));
+    for (const MorphTarget& morph : content.morphs)
+        primitive["targets"].push_back(
+            {{"POSITION", glb.floats(morph.displacements(file.vertex, Eigen::all), true)}});
+    primitive["material"] = 0;
+}
+
 }  // namespace
 
 std::string character_glb(const Character& character, const CharacterExport& options) {
     const AttributedMesh& content = character.content;
-    const SplitVertices file = split(content, options.shuffle_seed);
+    const SplitVertices file = split(content, options);
     Glb glb;
-    Json attributes, targets = Json::array(), names = Json::array();
-    attributes["POSITION"] = glb.floats(content.mesh.vertices(file.vertex, Eigen::all), true);
-    if (options.with_normals)
-        attributes["NORMAL"] = glb.floats(vertex_normals(content.mesh)(file.vertex, Eigen::all));
-    attributes["TEXCOORD_0"] = glb.floats(content.texture_coordinates[0].values(file.row, Eigen::all));
-    const Matrix joints = content.skin.joints(file.vertex, Eigen::all).cast<double>();
-    attributes["JOINTS_0"] = glb.accessor<std::uint8_t>(joints, 5121);
-    attributes["WEIGHTS_0"] = glb.floats(content.skin.weights(file.vertex, Eigen::all));
-    for (const MorphTarget& morph : content.morphs) {
-        targets.push_back({{"POSITION", glb.floats(morph.displacements(file.vertex, Eigen::all), true)}});
-        names.push_back(morph.name);
-    }
+    Json primitive;
+    primitive["attributes"]["POSITION"] = glb.floats(content.mesh.vertices(file.vertex, Eigen::all), true);
+    if (options.with_normals && !options.bare)
+        primitive["attributes"]["NORMAL"] = glb.floats(vertex_normals(content.mesh)(file.vertex, Eigen::all));
+    if (!options.bare) add_attributes(glb, primitive, content, file);
     const Matrix indices = Eigen::Map<const Eigen::Matrix<Index, Eigen::Dynamic, 1>>(
                                file.corners.data(), static_cast<Eigen::Index>(file.corners.size()))
                                .cast<double>();
-    glb.json["meshes"] = {{{"name", "body"},
-                           {"primitives",
-                            {{{"attributes", attributes},
-                              {"indices", glb.accessor<std::uint32_t>(indices, 5125)},
-                              {"material", 0},
-                              {"targets", targets}}}},
-                           {"weights", {0, 0, 0}},
-                           {"extras", {{"targetNames", names}}}}};
-    glb.json["nodes"] = {{{"name", "character"}, {"mesh", 0}, {"skin", 0}}};
+    primitive["indices"] = glb.accessor<std::uint32_t>(indices, 5125);
+    glb.json["meshes"] = {{{"name", "body"}, {"primitives", {primitive}}}};
+    glb.json["nodes"] = {{{"name", "character"}, {"mesh", 0}}};
+    glb.json["scenes"] = {{{"nodes", {0}}}};
+    if (options.bare) return glb.bytes();
+    Json& mesh = glb.json["meshes"][0];
+    for (const MorphTarget& morph : content.morphs) {
+        mesh["weights"].push_back(0);
+        mesh["extras"]["targetNames"].push_back(morph.name);
+    }
+    glb.json["nodes"][0]["skin"] = 0;
+    glb.json["scenes"][0]["nodes"].push_back(1);
     add_skeleton(glb, character.joints);
-    glb.json["scenes"] = {{{"nodes", {0, 1}}}};
     add_material(glb);
     add_wave(glb);
     return glb.bytes();

@@ -14,6 +14,8 @@ namespace counterpart::test {
 struct CharacterExport {
     std::uint64_t shuffle_seed = 0;  ///< order of the file's vertices; 0 = in the mesh's order
     bool with_normals = true;
+    bool every_corner_alone = false;  ///< no two triangles share a vertex of the file
+    bool bare = false;                ///< the triangles alone, without anything attached
 };
 
 /// One mesh of one primitive with the material "skin" and its PNG texture, bound to the skeleton; vertices

@@ -23,8 +23,9 @@ struct Character {
 };
 
 /// The figure of make_body as an artist would deliver it: one set of texture coordinates in two charts, front
-/// and back, with a seam between them; up to four of eight joints for each vertex; the blend shapes "smile",
-/// "belly" and "wag". All numbers are floats held in doubles, so that files of floats keep them as they are.
+/// and back, with a seam between them; a colour for each vertex; up to four of eight joints for each vertex;
+/// the blend shapes "smile", "belly" and "wag". All numbers are floats held in doubles, so that files of
+/// floats keep them as they are.
 Character make_character(const BodyOptions& options = {});
 
 }  // namespace counterpart
