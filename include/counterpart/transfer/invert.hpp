@@ -25,8 +25,8 @@ SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& sour
 struct WithInverseOptions {
     /// How far from a source vertex the way there and back may end, in mean edge lengths of the source, above
     /// 0.
-    double tolerance = 0.5;
-    int rounds = 2;    ///< 0 .. 100
+    double tolerance = 0.25;
+    int rounds = 10;   ///< at most; 0 .. 100
     double reach = 3;  ///< see InvertOptions
     int n_threads = 0;
 };
