@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/rotation.hpp"
+
 #include <counterpart/align/rigid.hpp>
 #include <counterpart/base/errors.hpp>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -35,13 +35,8 @@ Similarity kabsch(const Points& source, const Points& target, const Vector& weig
     const Points y = target.rowwise() - target_mean;
     Eigen::Matrix3d covariance = y.transpose() * w.asDiagonal() * x;
     covariance += options.prior_weight * options.prior_rotation;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    // The direction of least evidence is turned over where the best orthogonal matrix is a reflection.
-    Eigen::Vector3d sign(1, 1, 1);
-    if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) sign[2] = -1;
-
     Similarity motion;
-    motion.rotation = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
+    motion.rotation = fit_rotation(covariance).rotation;
     if (options.with_scale) {
         const double spread = (w.asDiagonal() * x.rowwise().squaredNorm()).sum();
         const double overlap = (w.asDiagonal() * (x * motion.rotation.transpose()).cwiseProduct(y)).sum();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "numerics/rotation.hpp"
-
+#include <counterpart/align/rigid.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/transfer/fit_transform.hpp>
 
@@ -15,7 +14,7 @@ namespace {
 // The number of directions in which the points spread, from their 3 x 3 moment matrix.
 int spread(const Eigen::Matrix3d& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d values = solver.eigenvalues();
+    const Eigen::Vector3d& values = solver.eigenvalues();
     int directions = 0;
     for (int i = 0; i < 3; ++i) directions += values[i] > 1e-12 * values[2] && values[i] > 0 ? 1 : 0;
     return directions;
@@ -42,29 +41,24 @@ Transform fit_transform(const Points& source, const Points& target, TransformMod
     const Eigen::Matrix3d moments = x.transpose() * w.asDiagonal() * x;
     const Eigen::Matrix3d covariance = y.transpose() * w.asDiagonal() * x;
 
-    Transform fit;
     if (model == TransformModel::affine) {
         if (spread(moments) < 3)
             throw InvalidInput(
                 "fit: the source points lie in a plane; an affine transform is not determined");
-        fit.linear = covariance * moments.inverse();
-        if (!(fit.linear.determinant() > 0)) {
+        const Eigen::Matrix3d linear = covariance * moments.inverse();
+        if (!(linear.determinant() > 0)) {
             throw InvalidInput(
                 "fit: the best affine transform is a reflection or flattens the mesh; check the "
                 "map, or mirror one mesh");
         }
-    } else {
-        if (spread(moments) < 2)
-            throw InvalidInput("fit: the source points lie on a line; the rotation is not determined");
-        fit.linear = fit_rotation(covariance).rotation;
-        if (model == TransformModel::similarity) {
-            const double scale = fit.linear.cwiseProduct(covariance).sum() / moments.trace();
-            if (!(scale > 0)) throw InvalidInput("fit: no positive scale fits these points");
-            fit.linear *= scale;
-        }
+        return {linear, target_mean.transpose() - linear * source_mean.transpose()};
     }
-    fit.translation = target_mean.transpose() - fit.linear * source_mean.transpose();
-    return fit;
+    if (spread(moments) < 2)
+        throw InvalidInput("fit: the source points lie on a line; the rotation is not determined");
+    const bool with_scale = model == TransformModel::similarity;
+    if (with_scale && covariance.isZero(0)) throw InvalidInput("fit: no positive scale fits these points");
+    const Similarity best = kabsch(source, target, w, {.with_scale = with_scale});
+    return {best.scale * best.rotation, best.translation};
 }
 
 }  // namespace counterpart

@@ -3,6 +3,7 @@
 #include "transfer/rigid_elements.hpp"
 
 #include "base/parallel.hpp"
+#include "mesh/disjoint_sets.hpp"
 #include "numerics/nearest_neighbors.hpp"
 #include "numerics/rotation.hpp"
 #include "transfer/fans.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -33,36 +33,6 @@ Points half_cotangents(const Points& vertices, const Triangles& triangles) {
     }
     return result;
 }
-
-class Groups {
-  public:
-    explicit Groups(const std::vector<Index>& of_item) : parent_(of_item.size()) {
-        std::vector<Index> first(of_item.size(), -1);
-        for (std::size_t v = 0; v < of_item.size(); ++v) {
-            Index& head = first[static_cast<std::size_t>(of_item[v])];
-            if (head < 0) head = static_cast<Index>(v);
-            parent_[v] = head;
-        }
-    }
-    Index find(Index v) {
-        while (parent_[static_cast<std::size_t>(v)] != v) {
-            Index& up = parent_[static_cast<std::size_t>(v)];
-            up = parent_[static_cast<std::size_t>(up)];
-            v = up;
-        }
-        return v;
-    }
-    bool join(Index a, Index b) {
-        a = find(a);
-        b = find(b);
-        if (a == b) return false;
-        parent_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-        return true;
-    }
-
-  private:
-    std::vector<Index> parent_;
-};
 
 using Link = std::pair<Index, Index>;
 
@@ -86,17 +56,27 @@ std::vector<Link> links_between(const Components& components, const Points& vert
         }
     }
     std::sort(candidates.begin(), candidates.end());
-    Groups groups(components.of_vertex);
-    for (const auto& [squared, a, b] : candidates)
-        if (groups.join(a, b)) result.emplace_back(a, b);
+    DisjointSets groups(static_cast<Index>(count));
+    std::vector<Index> first(static_cast<std::size_t>(components.count), -1);
+    for (std::size_t v = 0; v < count; ++v) {
+        Index& head = first[static_cast<std::size_t>(components.of_vertex[v])];
+        if (head < 0) head = static_cast<Index>(v);
+        groups.join(head, static_cast<Index>(v));
+    }
+    const auto link = [&](Index a, Index b) {
+        if (groups.root(a) == groups.root(b)) return;
+        groups.join(a, b);
+        result.emplace_back(a, b);
+    };
+    for (const auto& [squared, a, b] : candidates) link(a, b);
 
     std::vector<Index> root;
     for (Index v = 0; v < static_cast<Index>(count); ++v)
-        if (groups.find(v) == groups.find(0)) root.push_back(v);
+        if (groups.root(v) == groups.root(0)) root.push_back(v);
     const NearestNeighbors nearest_root(Points(vertices(root, Eigen::all)));
     for (Index v = 0; v < static_cast<Index>(count); ++v) {
         const Index w = root[static_cast<std::size_t>(nearest_root.closest(vertices.row(v)).index)];
-        if (groups.join(v, w)) result.emplace_back(v, w);
+        link(v, w);
     }
     return result;
 }
