@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "match_methods.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/match/frontiers.hpp>
+#include <counterpart/match/geodesic_frontiers.hpp>
 
 #include <map>
 #include <memory>
@@ -15,7 +17,8 @@ namespace {
 struct FrontiersArguments {
     FrontiersOptions options;
     CLI::Option* pairing = nullptr;  // --paper pairs the closest unless told otherwise
-    bool positions_only = false;
+    bool positions_only = false, geodesic = false;
+    Index n_bands = 0;
 };
 
 Json to_json(const ComponentMatch& component) {
@@ -61,6 +64,33 @@ MatchOutcome outcome_of(const FrontiersResult& result) {
     return outcome;
 }
 
+MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput& input) {
+    if (arguments.positions_only || arguments.options.edge_splits)
+        throw InvalidInput("--positions-only and --edge-splits are for --distance hops");
+    GeodesicFrontiersOptions options;
+    options.source = arguments.options.source;
+    options.target_source = arguments.options.target_source;
+    options.n_bands = arguments.n_bands;
+    if (arguments.pairing->count() > 0) options.pairing = arguments.options.pairing;
+    options.n_threads = input.common.threads;
+    options.progress = input.progress;
+    const GeodesicFrontiersResult result = match_geodesic_frontiers(input.source, input.target, options);
+    MatchOutcome outcome;
+    outcome.target_from_source = result.target_from_source;
+    outcome.stages = result.stages;
+    outcome.messages.push_back(
+        fmt::format("source vertex {} -> target vertex {}: seen from them the shares of area differ by up to "
+                    "{:.1f} %; {} bands of equal geodesic distance",
+                    result.source, result.target_source, 100 * result.profile_difference, result.n_bands));
+    if (result.profile_difference > 0.1)
+        warn("the two surfaces do not look alike from these source vertices: do not rely on this map");
+    outcome.details = {{"source", result.source},
+                       {"target_source", result.target_source},
+                       {"bands", result.n_bands},
+                       {"profile_difference", result.profile_difference}};
+    return outcome;
+}
+
 }  // namespace
 
 MatchMethod add_frontiers_method(CLI::App& match) {
@@ -90,8 +120,23 @@ MatchMethod add_frontiers_method(CLI::App& match) {
                                          "closest, mutual or optimal. Default: optimal; closest with --paper")
                              ->transform(CLI::CheckedTransformer(names))
                              ->group(group);
+    CLI::Option* distance =
+        match
+            .add_option_function<std::string>(
+                "--distance",
+                [arguments](const std::string& kind) { arguments->geodesic = kind == "geodesic"; },
+                "hops, or geodesic: bands of equal distance, matched as published, for any two meshes")
+            ->check(CLI::IsMember({"hops", "geodesic"}))
+            ->default_str("hops")
+            ->group(group);
+    match.add_option("--bands", arguments->n_bands, "How many with --distance geodesic; 0 = sqrt(V)")
+        ->check(CLI::Range(0, 1'000'000))
+        ->capture_default_str()
+        ->needs(distance)
+        ->group(group);
     return {"frontiers", "the same connectivity: breadth-first frontiers, level by level",
             [arguments](const MatchInput& input) {
+                if (arguments->geodesic) return run_geodesic(*arguments, input);
                 FrontiersOptions run_options = arguments->options;
                 run_options.vertex_hashes = !arguments->positions_only;
                 if (run_options.paper && arguments->pairing->count() == 0)

@@ -6,7 +6,9 @@
 #include <counterpart/frontier/frontiers.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -77,6 +79,33 @@ Frontiers bfs_frontiers(const Adjacency& adjacency, Index source) {
         frontiers.first.push_back(static_cast<Index>(frontiers.order.size()));
     }
     frontiers.first.pop_back();
+    return frontiers;
+}
+
+Frontiers distance_frontiers(const Vector& distance, double width) {
+    if (!(width > 0)) throw InvalidInput("distance_frontiers: the width must be positive");
+    constexpr double most_frontiers = 1e8;
+    Frontiers frontiers;
+    frontiers.level.assign(at(static_cast<Index>(distance.size())), Frontiers::unreached);
+    Index count = 0;
+    for (Index v = 0; v < distance.size(); ++v) {
+        if (!(distance[v] >= 0)) throw InvalidInput("distance_frontiers: distances must be 0 or more");
+        if (!std::isfinite(distance[v])) continue;
+        if (distance[v] / width >= most_frontiers)
+            throw InvalidInput("distance_frontiers: the width is too small for these distances");
+        frontiers.level[at(v)] = static_cast<Index>(distance[v] / width);
+        count = std::max(count, frontiers.level[at(v)] + 1);
+    }
+    if (count == 0) throw InvalidInput("distance_frontiers: no vertex has a finite distance");
+    frontiers.first.assign(at(count) + 1, 0);
+    for (const Index level : frontiers.level)
+        if (level != Frontiers::unreached) ++frontiers.first[at(level) + 1];
+    std::partial_sum(frontiers.first.begin(), frontiers.first.end(), frontiers.first.begin());
+    frontiers.order.resize(at(frontiers.first.back()));
+    std::vector<Index> next(frontiers.first.begin(), frontiers.first.end() - 1);
+    for (Index v = 0; v < distance.size(); ++v)
+        if (const Index level = frontiers.level[at(v)]; level != Frontiers::unreached)
+            frontiers.order[at(next[at(level)]++)] = v;
     return frontiers;
 }
 

@@ -32,6 +32,13 @@ struct Frontiers {
 /// Throws InvalidInput if `source` is not a vertex. O(V + E).
 Frontiers bfs_frontiers(const Adjacency& adjacency, Index source);
 
+/// Bands of equal distance instead: frontier k holds the vertices at k * width up to (k + 1) * width of some
+/// distance, so that frontiers mean the same on meshes of different connectivity (the paper's future work).
+/// `distance`: per vertex, 0 or more, infinite for unreached ones; at least one finite. Frontiers may be
+/// empty. Throws InvalidInput otherwise, for a width that is not positive and for more than 1e8 frontiers.
+/// O(V).
+Frontiers distance_frontiers(const Vector& distance, double width);
+
 /// Number of vertices of frontier 0, 1, 2, ...: the same for two meshes of one connectivity and
 /// corresponding sources, and for few other pairs of vertices.
 std::vector<Index> frontier_sizes(const Frontiers& frontiers);

@@ -22,17 +22,17 @@ double closest_sum(const Points& aligned, const Points& target) {
     return sum;
 }
 
-Points aligned_frontier(const Points& x, const Points& y, const FrontiersOptions& options) {
+}  // namespace
+
+Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold) {
     const Points centred = align_centroids(x, y)(x);
     const double sum = closest_sum(centred, y);
     const auto n = static_cast<double>(x.rows());
-    if (x.rows() < 4 || sum <= options.deformation_threshold * n) return centred;
+    if (x.rows() < 4 || sum <= deformation_threshold * n) return centred;
     TpsRpmOptions rpm;
     rpm.initial_temperature = 10 * sum;
     return tps_rpm(centred, y, rpm).transformed;
 }
-
-}  // namespace
 
 SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
                                 const FrontiersOptions& options) {
@@ -45,7 +45,7 @@ SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& 
     const auto match_frontier = [&](Index k) {
         const auto ours = source.frontiers[k], theirs = target.frontiers[k];
         const Points x = rows_of(source.points, ours), y = rows_of(target.points, theirs);
-        const Points aligned = aligned_frontier(x, y, options);
+        const Points aligned = align_whole_frontier(x, y, options.deformation_threshold);
         const std::vector<Index> chosen =
             pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing);
         for (std::size_t v = 0; v < ours.size(); ++v)

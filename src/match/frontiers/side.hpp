@@ -46,6 +46,10 @@ std::vector<Index> pair_up(const Matrix& cost, Pairing pairing);
 Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::span<const Index> target,
                     const Points& target_points, const PairingMetric& metric);
 
+/// x moved onto y as published: centres of mass onto each other, then TPS-RPM from T = 10 S where S, the sum
+/// of the squared distances to the closest points, is above the threshold per point. In mean edge lengths.
+Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold);
+
 /// Throws InvalidInput at the first frontier whose sizes, or numbers of loops, differ.
 void require_same_frontiers(const FrontierSide& source, const FrontierSide& target);
 

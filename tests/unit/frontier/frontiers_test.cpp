@@ -7,6 +7,8 @@
 #include <counterpart/mesh/shapes.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -14,6 +16,8 @@
 
 namespace counterpart {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Frontiers, RefusesAVertexThatDoesNotExist) {
     const Adjacency adjacency(make_icosphere(0));
@@ -51,6 +55,35 @@ TEST(Frontiers, OtherComponentsAreUnreached) {
     EXPECT_EQ(frontier_sizes(frontiers), (std::vector<Index>{1, 2}));
     EXPECT_EQ(frontiers.level[0], Frontiers::unreached);
     EXPECT_EQ(frontier_sizes(bfs_frontiers(Adjacency(two), 6)), (std::vector<Index>{1}));
+}
+
+TEST(DistanceFrontiers, RefusesWhatIsNoDistance) {
+    const Vector distance = Vector::LinSpaced(5, 0, 4);
+    EXPECT_THROW(distance_frontiers(distance, 0), InvalidInput);
+    EXPECT_THROW(distance_frontiers(distance, std::nan("")), InvalidInput);
+    EXPECT_THROW(distance_frontiers(distance, 1e-9), InvalidInput);
+    EXPECT_THROW(distance_frontiers(-distance, 1), InvalidInput);
+    EXPECT_THROW(distance_frontiers(distance * std::nan(""), 1), InvalidInput);
+    EXPECT_THROW(distance_frontiers(Vector::Constant(3, infinity), 1), InvalidInput);
+    EXPECT_THROW(distance_frontiers(Vector(0), 1), InvalidInput);
+}
+
+TEST(DistanceFrontiers, AreBandsOfOneWidth) {
+    Vector distance(7);
+    distance << 2.5, 0, infinity, 0.99, 1, 7.2, 2;
+    const Frontiers frontiers = distance_frontiers(distance, 1);
+    EXPECT_EQ(frontiers.level, (std::vector<Index>{2, 0, Frontiers::unreached, 0, 1, 7, 2}));
+    EXPECT_EQ(frontier_sizes(frontiers), (std::vector<Index>{2, 1, 2, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(frontiers.order, (std::vector<Index>{1, 3, 4, 0, 6, 5}));
+}
+
+TEST(DistanceFrontiers, OfHopsAreTheFrontiersOfASearch) {
+    const Frontiers searched = bfs_frontiers(Adjacency(make_torus(12, 9)), 40);
+    Vector hops(108);
+    for (Index v = 0; v < 108; ++v) hops[v] = searched.level[static_cast<std::size_t>(v)];
+    const Frontiers bands = distance_frontiers(hops, 1);
+    EXPECT_EQ(bands.order, searched.order);
+    EXPECT_EQ(bands.first, searched.first);
 }
 
 TEST(Frontiers, SequencesFindThePartnerAndAgreeWithBruteForce) {

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+#include "match/frontiers/side.hpp"
+
+#include <counterpart/align/rigid.hpp>
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/geodesic/critical_points.hpp>
+#include <counterpart/match/geodesic_frontiers.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace counterpart {
+namespace {
+
+constexpr int profile_steps = 64;
+constexpr std::size_t most_candidates = 8;
+
+// Share of the reached area within each of `profile_steps` parts of the largest distance.
+using Profile = std::array<double, profile_steps>;
+
+struct View {
+    Index source = -1;
+    Vector distance;  // relative to the farthest vertex, infinite where unreached
+    Profile profile{};
+};
+
+// All that one mesh contributes before it is seen from a source vertex.
+struct Side {
+    explicit Side(const TriangleMesh& m) : mesh(m), graph(m), areas(vertex_areas(m)) {}
+
+    View view_from(Index source) const {
+        View view{source, distances_from(graph, source), {}};
+        double farthest = 0, area = 0;
+        for (const double d : view.distance)
+            if (std::isfinite(d)) farthest = std::max(farthest, d);
+        if (farthest > 0) view.distance /= farthest;
+        for (Index v = 0; v < view.distance.size(); ++v) {
+            if (!std::isfinite(view.distance[v])) continue;
+            const auto step = static_cast<std::size_t>(view.distance[v] * profile_steps);
+            view.profile[std::min<std::size_t>(step, profile_steps - 1)] += areas[v];
+            area += areas[v];
+        }
+        double sum = 0;
+        for (double& share : view.profile) share = (sum += share) / (area > 0 ? area : 1);
+        return view;
+    }
+
+    std::vector<View> views(Index given) const {
+        if (given >= 0) return {view_from(given)};
+        std::vector<Index> tips = critical_points(mesh, graph).vertices;
+        if (tips.size() > most_candidates) tips.resize(most_candidates);
+        std::vector<View> result;
+        for (const Index tip : tips) result.push_back(view_from(tip));
+        return result;
+    }
+
+    const TriangleMesh& mesh;
+    DistanceGraph graph;
+    Vector areas;
+};
+
+double difference(const Profile& a, const Profile& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+}
+
+// Bands in a common frame and unit, none of them empty: an empty one joins the one before.
+struct Bands {
+    Bands(const Side& side, const View& view, Index count, double unit)
+        : points((side.mesh.vertices.rowwise() - surface_centroid(side.mesh).transpose()) /
+                 (unit * std::sqrt(surface_area(side.mesh)))),
+          frontiers(distance_frontiers(view.distance, (1 + 1e-9) / count)) {}
+
+    std::span<const Index> at_level(Index k) const {
+        k = std::min(k, frontiers.count() - 1);
+        while (k > 0 && frontiers.size(k) == 0) --k;
+        return frontiers[k];
+    }
+    Points centers(Index count) const {
+        Points result(count, 3);
+        for (Index k = 0; k < count; ++k) result.row(k) = rows_of(points, at_level(k)).colwise().mean();
+        return result;
+    }
+
+    Points points;
+    Frontiers frontiers;
+};
+
+// Turned by what brings the bands' centres together, if that lies closer than the given positions do.
+void turn_if_better(Bands& ours, const Bands& theirs, Index count) {
+    const Points x = ours.centers(count), y = theirs.centers(count);
+    const Similarity turn = kabsch(x, y);
+    constexpr double clearly = 0.5;
+    if ((turn(x) - y).squaredNorm() < clearly * (align_centroids(x, y)(x) - y).squaredNorm())
+        ours.points = turn(ours.points);
+}
+
+void require_usable(const TriangleMesh& source, const TriangleMesh& target,
+                    const GeodesicFrontiersOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
+        throw InvalidInput("a mesh has no area: all its triangles are degenerate");
+    if ((options.source < 0) != (options.target_source < 0))
+        throw InvalidInput("give both source vertices or none: one of each mesh");
+    if (options.source >= source.n_vertices() || options.target_source >= target.n_vertices())
+        throw InvalidInput("a source vertex does not exist");
+    if (options.n_bands < 0 || options.n_bands > 1'000'000 || !(options.deformation_threshold >= 0))
+        throw InvalidInput("n_bands must be 0 to 1000000, deformation_threshold 0 or more");
+}
+
+// The two views that are most alike.
+struct Start {
+    View source, target;
+    double difference = 0;
+};
+
+Start most_alike(const std::vector<View>& sources, const std::vector<View>& targets) {
+    std::size_t best_a = 0, best_b = 0;
+    for (std::size_t a = 0; a < sources.size(); ++a)
+        for (std::size_t b = 0; b < targets.size(); ++b)
+            if (difference(sources[a].profile, targets[b].profile) <
+                difference(sources[best_a].profile, targets[best_b].profile))
+                best_a = a, best_b = b;
+    return {sources[best_a], targets[best_b], difference(sources[best_a].profile, targets[best_b].profile)};
+}
+
+GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& target,
+                              const GeodesicFrontiersOptions& options) {
+    Stopwatch watch;
+    const Side a(source), b(target);
+    const Start start = most_alike(a.views(options.source), b.views(options.target_source));
+    GeodesicFrontiersResult result;
+    result.source = start.source.source;
+    result.target_source = start.target.source;
+    result.profile_difference = start.difference;
+    watch.lap("sources");
+
+    const Index fewer = std::min(source.n_vertices(), target.n_vertices());
+    const Index n = options.n_bands > 0
+                        ? options.n_bands
+                        : std::max<Index>(1, static_cast<Index>(std::lround(std::sqrt(fewer))));
+    result.n_bands = n;
+    // The unit is the mean edge of both at unit area.
+    const double unit = (mean_edge_length(source) / std::sqrt(surface_area(source)) +
+                         mean_edge_length(target) / std::sqrt(surface_area(target))) /
+                        2;
+    Bands ours(a, start.source, n, unit);
+    const Bands theirs(b, start.target, n, unit);
+    turn_if_better(ours, theirs, n);
+    watch.lap("frontiers");
+    result.target_from_source = {std::vector<Index>(at(source.n_vertices()), VertexMap::unmatched),
+                                 target.n_vertices()};
+    parallel_for(at(std::min(n, ours.frontiers.count())), 1, [&](std::size_t k) {
+        const auto mine = ours.frontiers[static_cast<Index>(k)],
+                   other = theirs.at_level(static_cast<Index>(k));
+        if (mine.empty()) return;
+        const Points x = rows_of(ours.points, mine), y = rows_of(theirs.points, other);
+        const Points aligned = align_whole_frontier(x, y, options.deformation_threshold);
+        const std::vector<Index> chosen = pair_up(pairing_cost(mine, aligned, other, y, {}), options.pairing);
+        for (std::size_t i = 0; i < mine.size(); ++i)
+            if (chosen[i] >= 0) result.target_from_source.image[at(mine[i])] = other[at(chosen[i])];
+    });
+    watch.lap("matching");
+    report(options.progress, 1);
+    result.stages = watch.stages();
+    return result;
+}
+
+}  // namespace
+
+GeodesicFrontiersResult match_geodesic_frontiers(const TriangleMesh& source, const TriangleMesh& target,
+                                                 const GeodesicFrontiersOptions& options) {
+    require_usable(source, target, options);
+    return with_threads(options.n_threads, [&] { return match(source, target, options); });
+}
+
+}  // namespace counterpart
