@@ -4,6 +4,7 @@
 #include "match_methods.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,13 +17,13 @@ MatchMethod add_auto_method(const std::vector<MatchMethod>& methods,
     return {"auto", "exact if the connectivity is the same, else spectral; says which and why",
             [methods, exact](const MatchInput& input) {
                 exact->prepare();
-                const ExactResult result = match_exact(input.source, input.target, exact->options);
+                ExactResult result = match_exact(input.source, input.target, exact->options);
                 if (result.identical || exact->allow_differences) {
-                    MatchOutcome outcome = run_exact(input, *exact);
-                    outcome.messages.insert(outcome.messages.begin(),
-                                            result.identical
-                                                ? "auto: exact, because the two meshes are connected alike"
-                                                : "auto: exact, because of --allow-differences");
+                    const char* const reason = result.identical
+                                                   ? "auto: exact, because the two meshes are connected alike"
+                                                   : "auto: exact, because of --allow-differences";
+                    MatchOutcome outcome = exact_outcome(input, *exact, std::move(result));
+                    outcome.messages.insert(outcome.messages.begin(), reason);
                     outcome.details["chosen_method"] = "exact";
                     return outcome;
                 }
@@ -38,7 +39,7 @@ MatchMethod add_auto_method(const std::vector<MatchMethod>& methods,
                     outcome.details["reason"] = reason;
                     return outcome;
                 }
-                return run_exact(input, *exact);
+                return exact_outcome(input, *exact, std::move(result));
             }};
 }
 

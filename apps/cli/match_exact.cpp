@@ -100,9 +100,8 @@ void run_difference(const MatchInput& input, const ExactArguments& arguments, co
 
 }  // namespace
 
-MatchOutcome run_exact(const MatchInput& input, const ExactArguments& arguments) {
+MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result) {
     MatchOutcome outcome;
-    ExactResult result = match_exact(input.source, input.target, arguments.options);
     outcome.details = {{"identical", result.identical}};
     if (!result.identical) {
         run_difference(input, arguments, result.difference, outcome);
@@ -152,7 +151,8 @@ MatchMethod add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgumen
     return {"exact", "same connectivity: the match is a fact of the graph, any vertex order, any pose",
             [arguments](const MatchInput& input) {
                 arguments->prepare();
-                return run_exact(input, *arguments);
+                return exact_outcome(input, *arguments,
+                                     match_exact(input.source, input.target, arguments->options));
             }};
 }
 

@@ -20,6 +20,8 @@ struct ExactArguments {
     void prepare() { options.max_alternatives = alternatives.empty() ? 0 : max_alternatives; }
 };
 
-MatchOutcome run_exact(const MatchInput& input, const ExactArguments& arguments);
+/// What to say and write of a result; where the connectivity differs, of the differences, which are looked
+/// for.
+MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result);
 
 }  // namespace counterpart::cli

@@ -34,6 +34,21 @@ bool is_obj(const std::filesystem::path& file) {
     return extension == ".obj";
 }
 
+std::string bytes_of(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Only how many vertices there are and what triangles they make.
+std::string obj_faces(const TriangleMesh& mesh) {
+    std::string text;
+    for (Index v = 0; v < mesh.n_vertices(); ++v) text += "v 0 0 0\n";
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        text += fmt::format("f {} {} {}\n", mesh.triangles(t, 0) + 1, mesh.triangles(t, 1) + 1,
+                            mesh.triangles(t, 2) + 1);
+    return text;
+}
+
 void run(const ReorderCommand& command) {
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
@@ -48,11 +63,10 @@ void run(const ReorderCommand& command) {
     }
     for (const std::string& notice : match.notices) say(command.common, notice);
     if (is_obj(command.target) && is_obj(command.output)) {
-        std::ifstream file(command.target, std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(file), {}};
-        write_file(
-            reorder_obj(text, match.target_from_source, source.triangles, match.target_corner_from_source),
-            command.output);
+        const std::string faces = is_obj(command.source) ? bytes_of(command.source) : obj_faces(source);
+        write_file(reorder_obj(faces, bytes_of(command.target), match.target_from_source, source.triangles,
+                               match.target_corner_from_source),
+                   command.output);
     } else {
         write_mesh(reorder(source, target, match.target_from_source), command.output);
     }
@@ -79,7 +93,7 @@ void add_reorder(CLI::App& program) {
     reorder
         ->add_option("-o,--output", command->output,
                      "Mesh file; from .obj to .obj positions keep their text, texture coordinates and "
-                     "normals their corners")
+                     "normals their corners, polygons, groups and materials are the source's")
         ->required();
     reorder->add_flag("--allow-mirror", command->options.allow_mirror,
                       "Geometry may choose a match that turns the surface over");

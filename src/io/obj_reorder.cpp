@@ -3,7 +3,9 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 
+#include <algorithm>
 #include <charconv>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +22,17 @@ struct ObjText {
     std::vector<std::string_view> positions, textures, normals;  // whole lines
     std::vector<CornerAttributes> corners;                       // three for each triangle
 };
+
+struct Line {
+    std::string_view whole, content;  // with the comment and without
+};
+Line take_line(std::string_view& text) {
+    const auto end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view whole = text.substr(0, end);
+    const bool two = text.substr(end, 2) == "\r\n";
+    text.remove_prefix(std::min(end + (two ? 2 : 1), text.size()));
+    return {whole, whole.substr(0, std::min(whole.find('#'), whole.size()))};
+}
 
 std::string_view next_word(std::string_view& line) {
     const auto begin = line.find_first_not_of(" \t");
@@ -52,9 +65,7 @@ ObjText parse(std::string_view text) {
     ObjText obj;
     std::vector<CornerAttributes> face;
     while (!text.empty()) {
-        const auto end = std::min(text.find_first_of("\r\n"), text.size());
-        const std::string_view line = text.substr(0, std::min(text.substr(0, end).find('#'), end));
-        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = take_line(text).content;
         std::string_view rest = line;
         const std::string_view word = next_word(rest);
         if (word == "v") obj.positions.push_back(line);
@@ -77,34 +88,92 @@ void append_corner(std::string& bytes, Index vertex, const CornerAttributes& cor
     if (corner.normal > 0) bytes += fmt::format("/{}", corner.normal);
 }
 
+class Writer {
+  public:
+    Writer(const ObjText& source, const ObjText& target, const VertexMap& map, const Triangles& triangles,
+           const Triangles& corners)
+        : source_(source), target_(target), map_(map), triangles_(triangles), corners_(corners) {}
+
+    // The source's lines in their order, with what is the target's in the place of what was the source's.
+    std::string run(std::string_view source_text) {
+        while (!source_text.empty()) {
+            const Line line = take_line(source_text);
+            std::string_view rest = line.content;
+            const std::string_view word = next_word(rest);
+            if (word == "v") {
+                add_line(target_.positions[static_cast<std::size_t>(map_[n_positions_++])]);
+            } else if (word == "f") {
+                add_attributes();
+                add_face(rest);
+            } else if (word != "vt" && word != "vn" && !is_line_with_texture(word, rest)) {
+                add_line(line.whole);
+            }
+        }
+        return std::move(bytes_);
+    }
+
+  private:
+    void add_line(std::string_view line) { (bytes_ += line) += '\n'; }
+    bool keeps_textures() const { return target_.textures.empty(); }
+    static bool is_line_with_texture(std::string_view word, std::string_view rest) {
+        return (word == "l" || word == "p") && rest.find('/') != std::string_view::npos;
+    }
+
+    void add_attributes() {
+        if (std::exchange(has_attributes_, true)) return;
+        for (const std::string_view line : keeps_textures() ? source_.textures : target_.textures)
+            add_line(line);
+        for (const std::string_view line : target_.normals) add_line(line);
+    }
+
+    void add_face(std::string_view words) {
+        Index n = 0;
+        while (!next_word(words).empty()) ++n;
+        if (n < 3) return;
+        bytes_ += 'f';
+        for (Index k = 0; k < n; ++k) {
+            // Where the reader's fan has corner k of the polygon.
+            const Index t = n_triangles_ + (k < 3 ? 0 : k - 2), c = k < 3 ? k : 2;
+            CornerAttributes corner = target_.corners[static_cast<std::size_t>(corners_(t, c))];
+            if (keeps_textures())
+                corner.texture =
+                    source_.corners[3 * static_cast<std::size_t>(t) + static_cast<std::size_t>(c)].texture;
+            append_corner(bytes_, triangles_(t, c), corner);
+        }
+        bytes_ += '\n';
+        n_triangles_ += n - 2;
+    }
+
+    const ObjText& source_;
+    const ObjText& target_;
+    const VertexMap& map_;
+    const Triangles& triangles_;
+    const Triangles& corners_;
+    std::string bytes_;
+    Index n_positions_ = 0, n_triangles_ = 0;
+    bool has_attributes_ = false;
+};
+
 }  // namespace
 
-std::string reorder_obj(std::string_view text, const VertexMap& target_from_source,
-                        const Triangles& source_triangles, const Triangles& target_corner_from_source) {
-    const ObjText obj = parse(text);
-    require_valid(target_from_source, target_from_source.source_size(),
-                  static_cast<Index>(obj.positions.size()));
-    if (source_triangles.rows() != target_corner_from_source.rows())
-        throw InvalidInput("reorder_obj: there must be one row of corners for each source triangle");
-    std::string bytes;
-    const auto add_line = [&](std::string_view line) { (bytes += line) += '\n'; };
-    for (const Index image : target_from_source.image) {
+std::string reorder_obj(std::string_view source_text, std::string_view target_text,
+                        const VertexMap& target_from_source, const Triangles& source_triangles,
+                        const Triangles& target_corner_from_source) {
+    const ObjText source = parse(source_text), target = parse(target_text);
+    require_valid(target_from_source, static_cast<Index>(source.positions.size()),
+                  static_cast<Index>(target.positions.size()));
+    for (const Index image : target_from_source.image)
         if (image < 0) throw InvalidInput("reorder_obj: the map leaves source vertices unmatched");
-        add_line(obj.positions[static_cast<std::size_t>(image)]);
-    }
-    for (const std::string_view line : obj.textures) add_line(line);
-    for (const std::string_view line : obj.normals) add_line(line);
+    if (source_triangles.rows() != target_corner_from_source.rows() ||
+        source.corners.size() != static_cast<std::size_t>(source_triangles.size()))
+        throw InvalidInput("reorder_obj: there must be one row of corners for each source triangle");
     for (Eigen::Index t = 0; t < source_triangles.rows(); ++t) {
-        bytes += 'f';
-        for (int c = 0; c < 3; ++c) {
-            const auto corner = static_cast<std::size_t>(target_corner_from_source(t, c));
-            if (corner >= obj.corners.size())
+        for (int c = 0; c < 3; ++c)
+            if (static_cast<std::size_t>(target_corner_from_source(t, c)) >= target.corners.size())
                 throw InvalidInput(fmt::format("reorder_obj: corner {} of triangle {} has no partner", c, t));
-            append_corner(bytes, source_triangles(t, c), obj.corners[corner]);
-        }
-        bytes += '\n';
     }
-    return bytes;
+    return Writer(source, target, target_from_source, source_triangles, target_corner_from_source)
+        .run(source_text);
 }
 
 }  // namespace counterpart

@@ -155,6 +155,7 @@ struct SharedPart {
     VertexMap map;
     std::vector<bool> contested;  // source vertices
     bool turned = false;          // the surfaces are wound against each other
+    bool ambiguous = false;       // another way to match had nearly as much evidence
 };
 
 SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& target, const CombinatorialMap& a,
@@ -163,6 +164,7 @@ SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& targ
     const PartialMatch match = grow_matching(source, target, a, b, whole_islands);
     SharedPart shared;
     shared.turned = match.turned;
+    shared.ambiguous = match.ambiguous;
     VertexMap& map = shared.map;
     map = {std::vector<Index>(static_cast<std::size_t>(source.n_vertices()), VertexMap::unmatched),
            target.n_vertices()};
@@ -195,6 +197,11 @@ MeshDifference find_differences(const TriangleMesh& source, const TriangleMesh& 
     difference.target_from_source = std::move(shared.map);
     const std::vector<Index> partner = match_triangles(source, target, difference.target_from_source);
     difference.uncertain = judge(source, target, shared.contested, partner, difference.target_from_source);
+    if (shared.ambiguous) {
+        difference.uncertain.clear();
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            if (difference.target_from_source[v] >= 0) difference.uncertain.push_back(v);
+    }
     list_unmatched(source, target, partner, difference);
     difference.largest_part = largest_part(a, partner);
     difference.edits = find_edits(source, target, difference);
@@ -210,6 +217,9 @@ MeshDifference find_differences(const TriangleMesh& source, const TriangleMesh& 
         target.n_triangles(), count_matched(difference.target_from_source), source.n_vertices(),
         difference.uncertain.size(), difference.edits.size(),
         shared.turned ? "; the target's winding is reversed" : "");
+    if (shared.ambiguous)
+        difference.summary +=
+            "; the meshes are so regular that another way to match them fits nearly as well";
     return difference;
 }
 

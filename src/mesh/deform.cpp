@@ -90,6 +90,7 @@ TriangleMesh deform(const TriangleMesh& mesh, const DeformOptions& options) {
     require_range("bend", options.bend, -two_pi, two_pi);
     require_range("twist", options.twist, -two_pi, two_pi);
     require_range("warp", options.warp, 0, 0.5);
+    if (options.bend == 0 && options.twist == 0 && options.warp == 0) return mesh;  // to the last bit
     const Eigen::RowVector3d centroid = surface_centroid(mesh).transpose();
     const Eigen::Matrix3d axes = principal_axes(mesh, centroid);
     Points local = (mesh.vertices.rowwise() - centroid) * axes.transpose();

@@ -10,12 +10,15 @@
 
 namespace counterpart {
 
-/// The bytes of a target OBJ file with its `v` lines in the source's order and the source's triangles. The
-/// lines of vertices, texture coordinates and normals keep their text; each corner keeps the texture
-/// coordinate and the normal of the target's corner named by `target_corner_from_source` (source triangles x
-/// 3, entries 3 * triangle + corner). Groups, materials and comments are dropped. `text` must be a file that
-/// read_mesh accepts. Throws InvalidInput if the map is not complete or does not fit.
-std::string reorder_obj(std::string_view text, const VertexMap& target_from_source,
-                        const Triangles& source_triangles, const Triangles& target_corner_from_source);
+/// The bytes of the source OBJ file with the target's shape: its lines in their order - polygons, groups,
+/// materials, comments - with the target's `v` lines in the place of its own. Lines of vertices, texture
+/// coordinates and normals keep their text; each corner has the texture coordinate and the normal of the
+/// target's corner named by `target_corner_from_source` (source triangles x 3, entries 3 * triangle +
+/// corner). A target without texture coordinates leaves the source's. Polylines with texture coordinates are
+/// dropped. Both texts must be files that read_mesh accepts, `source_triangles` what it makes of the first.
+/// Throws InvalidInput if the map is not complete or does not fit.
+std::string reorder_obj(std::string_view source_text, std::string_view target_text,
+                        const VertexMap& target_from_source, const Triangles& source_triangles,
+                        const Triangles& target_corner_from_source);
 
 }  // namespace counterpart

@@ -2,40 +2,24 @@
 // SPDX-License-Identifier: MIT
 #include "match/exact/partial_growth.hpp"
 
+#include "match/exact/seeding.hpp"
 #include "match/exact/walk.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 
 namespace counterpart {
 namespace {
 
-using FlagPair = std::pair<Flag, Flag>;
-
 struct Colors {
     std::array<std::vector<Color>, 3> of_radius;
     explicit Colors(const CombinatorialMap& map)
         : of_radius{vertex_colors(map, 0), vertex_colors(map, 1), vertex_colors(map, 2)} {}
 };
-
-// Flags gone along with their island's winding (or against it) by colour.
-std::vector<std::pair<Color, Flag>> colored_flags(const CombinatorialMap& map,
-                                                  const std::vector<Color>& colors,
-                                                  const std::vector<bool>& settled, unsigned parity) {
-    std::vector<std::pair<Color, Flag>> flags;
-    for (Index t = 0; t < map.n_triangles(); ++t) {
-        if (settled[static_cast<std::size_t>(t)]) continue;
-        for (int c = 0; c < 3; ++c) {
-            const Flag f = make_flag(t, c, map.parity(make_flag(t, c)) ^ parity);
-            flags.emplace_back(flag_color(map, colors, f), f);
-        }
-    }
-    std::sort(flags.begin(), flags.end());
-    return flags;
-}
 
 // How edge lengths of the two meshes compare where they correspond.
 struct LengthFit {
@@ -121,80 +105,37 @@ class Growth {
         return pairs;
     }
     std::size_t n_matched() const { return matched_.size(); }
-
-    // Pairs of flags whose colour occurs once on each side; where there are none, a few of the rarest colour.
-    std::vector<FlagPair> seeds(unsigned parity) const {
-        const auto in_a = colored_flags(a_, colors_a_.of_radius[2], done_a_, 0);
-        const auto in_b = colored_flags(b_, colors_b_.of_radius[2], done_b_, parity);
-        std::vector<FlagPair> unique, rare;
-        std::size_t fewest = static_cast<std::size_t>(-1);
-        for (std::size_t i = 0, j = 0, i_end, j_end; i < in_a.size() && j < in_b.size();) {
-            const Color color = std::max(in_a[i].first, in_b[j].first);
-            while (i < in_a.size() && in_a[i].first < color) ++i;
-            while (j < in_b.size() && in_b[j].first < color) ++j;
-            if (i == in_a.size() || j == in_b.size()) break;
-            if (in_a[i].first != in_b[j].first) continue;
-            for (i_end = i; i_end < in_a.size() && in_a[i_end].first == in_a[i].first;) ++i_end;
-            for (j_end = j; j_end < in_b.size() && in_b[j_end].first == in_a[i].first;) ++j_end;
-            const std::size_t ways = (i_end - i) * (j_end - j);
-            if (ways == 1) unique.emplace_back(in_a[i].second, in_b[j].second);
-            if (ways < fewest) {
-                fewest = ways;
-                rare.clear();
-                for (std::size_t k = j; k < std::min(j_end, j + 100); ++k)
-                    rare.emplace_back(in_a[i].second, in_b[k].second);
-            }
-            i = i_end;
-            j = j_end;
-        }
-        return unique.empty() ? rare : unique;
+    double total_agreement() const {
+        double sum = 0;
+        for (const auto& [f, g] : matched_) sum += shape_agreement(f, g);
+        return sum;
     }
 
-    // A seed counts if what is around it agrees far beyond chance: the walk closes around vertices as it
-    // must.
-    bool is_trustworthy(FlagPair seed) const {
-        constexpr std::size_t enough = 40;
-        std::unordered_map<Index, Index> image, origin,
-            triangles{{triangle_of(seed.first), triangle_of(seed.second)}};
-        std::vector<FlagPair> queue{seed};
-        int agree = 0, disagree = 0;
-        const auto consistent = [&](Index v, Index w) {
-            const auto [to, new_v] = image.try_emplace(v, w);
-            const auto [from, new_w] = origin.try_emplace(w, v);
-            return to->second == w && from->second == v;
+    Seeds seeds(const std::vector<Color>& colors_a, const std::vector<Color>& colors_b,
+                unsigned parity) const {
+        return find_seeds({a_, colors_a, done_a_}, {b_, colors_b, done_b_}, parity);
+    }
+    // Mean agreement in shape of what is around a seed; 0 where connectivity does not agree there.
+    double trust(FlagPair seed) const {
+        const std::vector<FlagPair> around = surroundings(a_, b_, seed);
+        double sum = 0;
+        for (const auto& [f, g] : around) sum += shape_agreement(f, g);
+        return around.empty() ? 0 : sum / static_cast<double>(around.size());
+    }
+    // Triangles that one mesh has left to match with the other.
+    double n_open() const {
+        const auto open = [](const std::vector<bool>& done) {
+            return std::count(done.begin(), done.end(), false);
         };
+        return static_cast<double>(std::min(open(done_a_), open(done_b_)));
+    }
+
+    bool holds(FlagPair seed) const {
         auto [f, g] = seed;
-        for (int c = 0; c < 3; ++c, f = next(f), g = next(g)) consistent(a_.origin(f), b_.origin(g));
-        for (std::size_t k = 0; k < queue.size(); ++k) {
-            auto [f0, g0] = queue[k];
-            for (int side = 0; side < 3; ++side, f0 = next(f0), g0 = next(g0)) {
-                const Flag over_f = a_.across(f0), over_g = b_.across(g0);
-                if (over_f == no_flag && over_g == no_flag) continue;
-                if (over_f == no_flag || over_g == no_flag) {
-                    ++disagree;
-                    continue;
-                }
-                const auto known = triangles.find(triangle_of(over_f));
-                if (known != triangles.end()) {
-                    ++(known->second == triangle_of(over_g) ? agree : disagree);
-                    continue;
-                }
-                if (queue.size() >= enough) continue;
-                const Index v = a_.apex(over_f), w = b_.apex(over_g);
-                const bool met = image.contains(v) || origin.contains(w);
-                if (!consistent(v, w)) {
-                    ++disagree;
-                    continue;
-                }
-                if (met) agree += 2;
-                triangles.emplace(triangle_of(over_f), triangle_of(over_g));
-                queue.emplace_back(over_f, over_g);
-            }
-        }
-        // Every step looks back over the edge it came by; that much agreement is free.
-        const int earned = agree - static_cast<int>(queue.size() - 1);
-        const bool whole = queue.size() < enough && disagree == 0 && queue.size() >= 4;
-        return whole || (queue.size() >= enough / 2 && earned >= 3 * disagree && earned >= 10);
+        bool all = true;
+        for (int c = 0; c < 3; ++c, f = next(f), g = next(g))
+            all = all && image_[static_cast<std::size_t>(a_.origin(f))] == b_.origin(g);
+        return all;
     }
 
     bool is_open(FlagPair seed) const {
@@ -215,9 +156,9 @@ class Growth {
     }
 
     // Accepts proposals from the best down to `least`.
-    void grow(double least) {
+    void grow(double least, std::size_t most_triangles = static_cast<std::size_t>(-1)) {
         drain();
-        while (!heap_.empty() && heap_.top().score >= least) {
+        while (!heap_.empty() && heap_.top().score >= least && matched_.size() < most_triangles) {
             const Proposal best = heap_.top();
             heap_.pop();
             if (image_[static_cast<std::size_t>(best.v)] >= 0 ||
@@ -267,7 +208,7 @@ class Growth {
             const auto rival = static_cast<std::size_t>(origin_[w]);
             if (votes.score > 0.6 * score_[rival]) contested_[rival] = true;
         }
-        return {image_, contested_, false};
+        return {image_, contested_, false, false};
     }
 
   private:
@@ -383,12 +324,111 @@ class Growth {
     std::vector<FlagPair> matched_;
 };
 
-void grow_from_seeds(Growth& growth, unsigned parity) {
-    for (const FlagPair& seed : growth.seeds(parity)) {
-        if (!growth.is_open(seed) || !growth.is_trustworthy(seed)) continue;
-        growth.plant(seed);
-        growth.grow(3);  // the sure ones, so that no region runs over an edit before its neighbours do
+struct FirstSeed {
+    FlagPair seed;
+    bool is_ambiguous = false;  // another one, which says otherwise, does nearly as well
+};
+
+// The seed to begin with: the one from which most of the mesh is reached in agreement. Where the mesh is
+// regular, or nearly symmetric, and its rare spots are cut out, connectivity alone would begin anywhere.
+// Tried in three rounds, ever fewer seeds grow ever further: by the shape of what is around them, of a
+// thousand triangles, and of all. `enough`: the share of the mesh from which on no other is tried.
+std::optional<FirstSeed> first_seed(const std::vector<FlagPair>& seeds, const Growth& growth, double enough,
+                                    double least) {
+    using Ranked = std::vector<std::pair<double, FlagPair>>;
+    constexpr std::size_t region = 1000, everything = static_cast<std::size_t>(-1);
+    const auto budget = [&](double triangles, double fewest, double most) {
+        return static_cast<std::size_t>(std::clamp(triangles / (1 + growth.n_open()), fewest, most));
+    };
+    const auto best_first = [](Ranked& ranked) {
+        std::stable_sort(ranked.begin(), ranked.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+    };
+    Ranked near;
+    for (const FlagPair& seed : seeds)
+        if (const double trust = growth.trust(seed); trust > 0) near.emplace_back(trust, seed);
+    best_first(near);
+
+    Ranked reached;
+    std::vector<Growth> tried;  // so that no seed is tried that one before it says already
+    const auto grow = [&](const FlagPair& seed, std::size_t most) {
+        Growth& trial = tried.emplace_back(growth);
+        trial.plant(seed);
+        trial.grow(least, most);
+        return trial.total_agreement();
+    };
+    const auto is_said = [&](const FlagPair& seed) {
+        return std::any_of(tried.begin(), tried.end(),
+                           [&](const Growth& trial) { return trial.holds(seed); });
+    };
+    if (near.size() > 1 && growth.n_open() > 2 * region) {
+        const std::size_t most_regions = budget(10'000'000, 10, 300);
+        for (const auto& [trust, seed] : near) {
+            if (tried.size() == most_regions) break;
+            if (!is_said(seed)) reached.emplace_back(grow(seed, region), seed);
+        }
+        best_first(reached);
+        tried.clear();
+    } else {
+        reached = near;
     }
+
+    std::optional<FirstSeed> best;
+    double most = 0;
+    const std::size_t most_trials = budget(1'000'000, 4, 40);
+    for (const auto& [agreement, seed] : reached) {
+        if (tried.size() == most_trials) break;
+        if (is_said(seed)) continue;
+        const double all = grow(seed, everything);
+        const bool is_close = std::min(all, most) > 0.85 * std::max(all, most);
+        if (all > most)
+            best = {seed, is_close};
+        else if (is_close)
+            best->is_ambiguous = true;
+        most = std::max(most, all);
+        if (most > enough * growth.n_open()) break;
+    }
+    return best;
+}
+
+// A few hundred, evenly spread.
+std::vector<FlagPair> some_of(const std::vector<FlagPair>& seeds) {
+    const std::size_t step = 1 + seeds.size() / 500;
+    std::vector<FlagPair> some;
+    for (std::size_t i = 0; i < seeds.size(); i += step) some.push_back(seeds[i]);
+    return some;
+}
+
+// From what is unique in the widest surroundings first: the least likely to be so by accident of an edit.
+// Returns whether another beginning would have done nearly as well.
+bool grow_from_seeds(Growth& growth, const SeedColors& colors, unsigned parity) {
+    // The sure ones, so that no region runs over an edit before its neighbours do; but where nothing is
+    // unique, one region must reach all.
+    constexpr double sure = 3, likely = 0.7;
+    bool is_ambiguous = false;
+    const auto plant = [&](const FlagPair& seed, double least) {
+        if (!growth.is_open(seed) || growth.trust(seed) <= 0) return;
+        growth.plant(seed);
+        growth.grow(least);
+    };
+    const auto seeds = [&](std::size_t r) {
+        return growth.seeds(colors.source[r], colors.target[r], parity);
+    };
+    for (const bool unique : {true, false}) {
+        for (std::size_t r = colors.source.size(); r-- > 0 && growth.n_matched() == 0;) {
+            const Seeds at = seeds(r);
+            const double least = unique ? sure : likely;
+            const auto seed =
+                first_seed(some_of(unique ? at.unique : at.rare), growth, unique ? 0.5 : 0.95, least);
+            if (!seed) continue;
+            plant(seed->seed, least);
+            is_ambiguous = seed->is_ambiguous;
+        }
+    }
+    if (growth.n_matched() == 0) return false;
+    for (std::size_t r = colors.source.size(); r-- > 0;)
+        for (const FlagPair& seed : seeds(r).unique) plant(seed, sure);
+    return is_ambiguous;
 }
 
 }  // namespace
@@ -396,6 +436,7 @@ void grow_from_seeds(Growth& growth, unsigned parity) {
 PartialMatch grow_matching(const TriangleMesh& source_mesh, const TriangleMesh& target_mesh,
                            const CombinatorialMap& source, const CombinatorialMap& target,
                            const std::vector<std::pair<Flag, Flag>>& settled) {
+    const SeedColors colors(source, target);
     PartialMatch best;
     Index best_matched = -1;
     for (unsigned parity = 0; parity < 2; ++parity) {
@@ -408,11 +449,12 @@ PartialMatch grow_matching(const TriangleMesh& source_mesh, const TriangleMesh& 
         PartialMatch match;
         std::size_t most = 0;
         std::vector<FlagPair> sound;
+        bool is_ambiguous = false;
         for (int pass = 0; pass < passes; ++pass) {
             Growth growth(source_mesh, target_mesh, source, target, fit);
             growth.settle(settled);
             growth.resume(sound);
-            if (pass < 2) grow_from_seeds(growth, parity);
+            if (pass < 2) is_ambiguous = grow_from_seeds(growth, colors, parity);
             for (const double least : {3.0, 0.7, 0.3}) growth.grow(least);
             fit = growth.measure_lengths();
             if (pass == 0) continue;
@@ -424,6 +466,7 @@ PartialMatch grow_matching(const TriangleMesh& source_mesh, const TriangleMesh& 
         const auto matched = static_cast<Index>(
             std::count_if(match.image.begin(), match.image.end(), [](Index w) { return w >= 0; }));
         match.turned = parity == 1;
+        match.ambiguous = is_ambiguous;
         if (matched > best_matched) {
             best = std::move(match);
             best_matched = matched;

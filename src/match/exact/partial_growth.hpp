@@ -13,6 +13,7 @@ struct PartialMatch {
     std::vector<Index> image;     ///< local target vertex of each local source vertex, or -1
     std::vector<bool> contested;  ///< source vertices for which another pair had much the same evidence
     bool turned = false;          ///< the surfaces are wound against each other
+    bool ambiguous = false;       ///< another way to match had nearly as much evidence as a whole
 };
 
 /// Grows a vertex matching from every unambiguous seed. `settled` are flags of triangles that correspond

@@ -7,7 +7,7 @@ namespace counterpart {
 std::vector<Color> vertex_colors(const CombinatorialMap& map, int rounds) {
     const auto n = static_cast<std::size_t>(map.n_vertices());
     const std::size_t n_corners = map.corner.size();
-    std::vector<Color> colors(n, 0), sums(n);
+    std::vector<Color> colors(n, 0);
     for (std::size_t h = 0; h < n_corners; ++h) {
         const auto v = static_cast<std::size_t>(map.corner[h]);
         colors[v] += 1;
@@ -16,6 +16,12 @@ std::vector<Color> vertex_colors(const CombinatorialMap& map, int rounds) {
         colors[static_cast<std::size_t>(map.corner[h % 3 == 2 ? h - 2 : h + 1])] += 1U << 16U;
     }
     for (Color& color : colors) color = mix(color);
+    return refined_colors(map, std::move(colors), rounds);
+}
+
+std::vector<Color> refined_colors(const CombinatorialMap& map, std::vector<Color> colors, int rounds) {
+    const std::size_t n = colors.size(), n_corners = map.corner.size();
+    std::vector<Color> sums(n);
     for (int round = 0; round < rounds; ++round) {
         sums.assign(n, 0);
         for (std::size_t h = 0; h < n_corners; h += 3) {

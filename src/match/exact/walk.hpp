@@ -25,6 +25,8 @@ inline Color mix(Color x) {
 /// Vertex colours: valence and borders around, refined `rounds` times by the colours around. Equal for
 /// vertices that an isomorphism, orientation-preserving or not, can exchange. O(rounds * F).
 std::vector<Color> vertex_colors(const CombinatorialMap& map, int rounds);
+/// The same, going on from colours that were refined before.
+std::vector<Color> refined_colors(const CombinatorialMap& map, std::vector<Color> colors, int rounds);
 
 /// Colour of a flag: of its edge's ends in order, and of the apexes on its two sides.
 inline Color flag_color(const CombinatorialMap& map, const std::vector<Color>& colors, Flag f) {

@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+#
+# exact.sh PROGRAM: `match --method exact`, `--method auto` and `reorder` on meshes made here: what is the same is found,
+# what differs or is ambiguous is said.
+set -euo pipefail
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() { echo "FAILED: $*"; exit 1; }
+run() {  # ARGUMENTS...
+  timeout 60 "$program" "$@" > out 2> err || { cat out err; fail "$*"; }
+}
+refuse() {  # WORDS ARGUMENTS...
+  local words=$1 status=0
+  shift
+  timeout 60 "$program" "$@" > out 2> err || status=$?
+  [ $status -eq 1 ] || { cat out err; fail "$* ended with $status, not 1"; }
+  cat out err | grep -q -- "$words" || { cat out err; fail "$* did not say '$words'"; }
+}
+says() { cat out err | grep -q -- "$1" || { cat out err; fail "no '$1' said"; }; }
+
+# A figure in another pose, moved and shuffled; edits of it; shapes that leave choices.
+cat > make.py << 'END'
+import random
+def read(name):
+    words = open(name).read().split()
+    n, m = int(words[1]), int(words[2])
+    v = [words[4 + 3 * i:7 + 3 * i] for i in range(n)]
+    at = 4 + 3 * n
+    return v, [[int(w) for w in words[at + 4 * t + 1:at + 4 * t + 4]] for t in range(m)]
+def write(name, v, f):
+    with open(name, "w") as out:
+        out.write("OFF\n%d %d 0\n" % (len(v), len(f)))
+        for p in v: out.write("%s %s %s\n" % tuple(p))
+        for t in f: out.write("3 %d %d %d\n" % tuple(t))
+v, f = read("target.off")
+write("reversed.off", v, [[a, c, b] for a, b, c in f])
+write("tenth.off", v, [[a, c, b] if i % 10 == 0 else [a, b, c] for i, (a, b, c) in enumerate(f)])
+edges = {(t[c], t[(c + 1) % 3]): (i, t[(c + 2) % 3]) for i, t in enumerate(f) for c in range(3)}
+g = [list(t) for t in f]
+i, (a, b, x) = 777, f[777]
+j, y = edges[b, a]
+g[i], g[j] = [a, y, x], [y, b, x]
+write("flipped.off", v, g)
+write("hole.off", v, [t for k, t in enumerate(f) if k != 500])
+random.seed(1)
+tetrahedra, faces = [], []
+for k in range(10000):
+    p = [random.uniform(0, 100) for _ in range(3)]
+    for d in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)): tetrahedra.append([p[c] + d[c] for c in range(3)])
+    for t in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)): faces.append([4 * k + c for c in t])
+write("tetrahedra.off", tetrahedra, faces)
+# Rings of n and m squares: as many vertices and triangles, connected otherwise.
+def torus(n, m):
+    from math import cos, sin, pi
+    v = [[(3 + cos(2 * pi * j / m)) * cos(2 * pi * i / n), (3 + cos(2 * pi * j / m)) * sin(2 * pi * i / n),
+          sin(2 * pi * j / m)] for i in range(n) for j in range(m)]
+    at = lambda i, j: i % n * m + j % m
+    return v, [t for i in range(n) for j in range(m)
+               for t in ([at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)])]
+write("torus_a.off", *torus(6, 20))
+write("torus_b.off", *torus(10, 12))
+a, s = torus(6, 20)
+write("two.off", a + [[x + 10, y + 2, z] for x, y, z in a], s + [[c + len(a) for c in t] for t in s])
+open("quads.obj", "w").write("mtllib a.mtl\no box\n" + "".join("v %d %d %d\n" % (k & 1, k >> 1 & 1, k >> 2 & 1)
+    for k in range(8)) + "v 2 2 3\nusemtl red\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\ng end\nf 1 5 7 3\nf 8 6 9\nf 2 9 6\nf 4 9 2\nf 8 9 4\n")
+END
+run deform body source.off
+run deform source.off target.off --bend 50 --twist 30 --move --shuffle 5 --truth truth.txt
+python3 make.py
+
+run match source.off target.off -o map.txt --report report.json
+says "auto: exact, because the two meshes are connected alike"
+cmp -s map.txt truth.txt || fail "the map is not the true one"
+for kind in reversed tenth; do
+  run match source.off $kind.off -o $kind.txt --method exact
+  cmp -s $kind.txt truth.txt || fail "$kind: the map is not the true one"
+done
+says "wound the other way round"
+run match source.off reversed.off -o reversed.txt --method exact
+says "winding is reversed"
+
+refuse "is flipped" match source.off flipped.off -o no.txt --method exact --report report.json
+refuse "--allow-differences" match source.off flipped.off -o no.txt --method exact
+[ ! -e no.txt ] || fail "a refused match left a map"
+run match source.off flipped.off -o flipped.txt --allow-differences --report report.json
+cmp -s flipped.txt truth.txt || fail "flipped: the map is not the true one"
+python3 - << 'END'
+import json
+d = json.load(open("report.json"))["details"]["difference"]
+assert len(d["source_only_triangles"]) == 2 and len(d["target_only_triangles"]) == 2 and len(d["edits"]) == 1, d["edits"]
+END
+run match source.off hole.off -o hole.txt --allow-differences
+says "missing"
+cmp -s hole.txt truth.txt || fail "hole: the map is not the true one"
+
+refuse "connect" match torus_a.off torus_b.off -o no.txt --method exact
+refuse "share no part" match source.off torus_a.off -o no.txt --method exact
+run deform tetrahedra.off shuffled.off --shuffle 6 --move --truth tetrahedra.txt
+run match tetrahedra.off shuffled.off -o map.txt --method exact
+says "10000 islands of 4 triangles are interchangeable"
+cmp -s map.txt tetrahedra.txt || fail "tetrahedra: the map is not the true one"
+
+run deform two.off two_target.off --shuffle 7 --move --truth two.txt
+run match two.off two_target.off -o map.txt --method exact --symmetric-alternatives other_ --max-alternatives 30
+says "2 islands of 240 triangles are interchangeable"
+says "automorphisms\|matches are possible"
+[ "$(ls other_*.txt | wc -l)" -eq 30 ] || fail "30 alternatives were asked for"
+
+run deform two.off two_off.off --shuffle 8 --truth two.txt
+run reorder two.off two_off.off -o back.off
+cmp -s back.off <("$program" convert two.off copy.off -q; cat copy.off) || fail "reorder did not give back the positions"
+run reorder quads.obj quads.obj -o quads_back.obj
+diff quads.obj quads_back.obj > /dev/null || fail "reorder changed a file that is in order already"
+refuse "not connected alike" reorder source.off torus_a.off -o no.off
+[ ! -e no.off ] || fail "a refused reorder left a file"
+echo passed
