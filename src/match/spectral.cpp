@@ -23,6 +23,7 @@ namespace {
 using namespace spectral_match;
 
 constexpr double close_margin = 0.03, poor_score = 0.5, mirror_margin = 0.1;
+constexpr double least_difference = 0.02;  // mean distance of maps that are not the same, at unit area
 
 ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)
@@ -65,19 +66,18 @@ void add_alternatives(SpectralResult& result, const SampledPair& pair,
     }
 }
 
-void add_warnings(SpectralResult& result, const Shape& source, const Shape& target) {
-    result.warnings = doubts(source, target);
+void add_warnings(SpectralResult& result, const SampledPair& pair, const std::vector<Candidate>& candidates) {
+    result.warnings = doubts(pair.a, pair.b);
     if (result.score < poor_score)
         result.warnings.push_back(
             fmt::format("no map keeps the shapes' distances and curvature well (score {:.2f}): they may not "
-                        "be the same kind of "
-                        "thing, do not rely on this map",
+                        "be the same kind of thing, do not rely on this map",
                         result.score));
-    if (result.margin < close_margin && !result.alternatives.empty())
-        result.warnings.push_back(
-            fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): look at both, or "
-                        "give landmarks",
-                        result.alternatives[0].score, result.score, result.alternatives[0].description));
+    if (result.margin < close_margin)
+        result.warnings.push_back(fmt::format(
+            "the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): look at both, or "
+            "give landmarks",
+            candidates[1].scores.total, result.score, describe(pair, candidates[0], candidates[1])));
 }
 
 SpectralResult match_shapes(const Shape& source, const Shape& target, const SpectralOptions& options,
@@ -90,6 +90,9 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     report(options.progress, 0.6);
     const auto n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
     candidates = choose(source, target, std::move(candidates), std::max(n_finalists, n_asked));
+    // Grown further, some have become the same map.
+    const SampledPair pair(source, target, std::max(source.samples.size(), target.samples.size()), 0);
+    keep_distinct(candidates, MapDistance(pair), least_difference, n_asked + 1);
     watch.lap("choose");
     report(options.progress, 0.75);
 
@@ -102,12 +105,10 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     result.margin = candidates.size() > 1 ? result.score - candidates[1].scores.total
                                           : std::numeric_limits<double>::infinity();
     result.confidence = confidence(source, target, maps, result.score);
-    add_alternatives(result,
-                     SampledPair(source, target, std::max(source.samples.size(), target.samples.size()), 0),
-                     candidates, options.n_alternatives);
+    add_alternatives(result, pair, candidates, options.n_alternatives);
     result.target_from_source = vertex_map(std::move(maps.b_from_a), target);
     result.source_from_target = vertex_map(std::move(maps.a_from_b), source);
-    add_warnings(result, source, target);
+    add_warnings(result, pair, candidates);
     watch.lap("judge");
     result.stages = watch.stages();
     report(options.progress, 1);
@@ -121,6 +122,7 @@ SpectralResult between_inputs(SpectralResult result, const Core& source, const C
     for (SpectralAlternative& other : result.alternatives)
         other.target_from_source = between_inputs(other.target_from_source, source, target);
     result.confidence = Vector(result.confidence(source.core_of_input));
+    for (const Index v : source.left_out) result.confidence[v] = 0;
     return result;
 }
 

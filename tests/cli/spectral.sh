@@ -79,6 +79,8 @@ write("holes.off", v, f[:-200])
 write("seams.off", [v[i] for t in f for i in t], [(3 * t, 3 * t + 1, 3 * t + 2) for t in range(m)])
 write("pieces.off", v + [(x + 3, y, z) for x, y, z in v] + [(x / 99, 5, z / 99) for x, y, z in v],
       f + [(a + n, b + n, c + n) for a, b, c in f] + [(a + 2 * n, b + 2 * n, c + 2 * n) for a, b, c in f])
+write("twice.off", v, f + f + [(a, c, b) for a, b, c in f])
+write("huge.off", [(x * 1e150, y * 1e150, z * 1e150) for x, y, z in v], f)
 write("fins.off", v + [(9, 9, 9)], f + [(f[t][0], f[t][1], (f[t][2] + 5) % n) for t in range(0, m, 50)])
 END
 run deform body body.off --subdivisions 1 -q
@@ -157,10 +159,13 @@ run match body.off holes.off $fast -o map.txt && says "target: open"
 run match seams.off body.off $fast -o map.txt && says "joined"
 run match pieces.off body.off $fast -o map.txt && says "2 components" && says "1 small component"
 run match fins.off body.off $fast -o map.txt && says "more than two triangles" && says "1 vertex in no triangle"
+run match body.off twice.off $fast -o map.txt && says "with the corners of another left out"
+cmp -s map.txt same.txt || fail "a mesh with repeated triangles was not matched with itself"
 run match ball.off ball.off $fast -o map.txt && says "same from every side"
 run match plane.off plane.off $fast -o map.txt && says "flat"
 run match body.off torus.off $fast -o map.txt && says "may not be the same kind"
 run match dust.off dust.off $fast -o map.txt && says "300 loose pieces"
 refuse 1 "at least 20 vertices" match cube.off body.off $fast -o none.txt
+refuse 1 "scale it down" match body.off huge.off $fast -o none.txt
 refuse 1 "no area" match body.off needle.off $fast -o none.txt
 [ ! -e none.txt ] || fail "a refused match left a map"

@@ -59,7 +59,7 @@ struct SpectralAlternative {
 
 struct SpectralResult {
     VertexMap target_from_source, source_from_target;
-    Vector confidence;  ///< per source vertex, in [0, 1]
+    Vector confidence;  ///< per source vertex, in [0, 1]; 0 for those that only follow another
     double score = 0;   ///< of the best map, comparable with those of the alternatives
     double margin = 0;  ///< its distance to the best alternative's score; infinite if there is none
     std::vector<SpectralAlternative> alternatives;  ///< best first

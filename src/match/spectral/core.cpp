@@ -11,7 +11,9 @@
 #include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -23,9 +25,28 @@ bool is_degenerate(const TriangleMesh& mesh, Index t) {
     return a == b || b == c || c == a;
 }
 
-// Components of at least a hundredth of the area, the largest in any case.
+// Without triangles that have two corners at one vertex, or the corners of one before.
+std::vector<Index> proper_triangles(const TriangleMesh& mesh, Core& core) {
+    std::vector<std::pair<std::array<Index, 3>, Index>> sorted;
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        if (is_degenerate(mesh, t)) continue;
+        std::array<Index, 3> corners{mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)};
+        std::sort(corners.begin(), corners.end());
+        sorted.emplace_back(corners, t);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<Index> triangles;
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+        if (i == 0 || sorted[i].first != sorted[i - 1].first) triangles.push_back(sorted[i].second);
+    core.n_repeated = static_cast<Index>(sorted.size() - triangles.size());
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+// Components of at least a tenth of the largest one's area. Loose pieces that the other mesh has not spoil
+// the eigenfunctions of the whole.
 std::vector<char> large_components(const TriangleMesh& mesh, const Components& components, Core& core) {
-    constexpr double least_share = 0.01;
+    constexpr double least_share = 0.1;
     const Vector areas = triangle_areas(mesh);
     std::vector<double> area(at(components.count), 0);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
@@ -35,7 +56,7 @@ std::vector<char> large_components(const TriangleMesh& mesh, const Components& c
     std::vector<char> kept(area.size(), 0);
     core.n_components = 0;
     for (std::size_t c = 0; c < area.size(); ++c) {
-        if (area[c] >= std::min(least_share * all, largest)) {
+        if (area[c] >= least_share * largest) {
             kept[c] = 1;
             ++core.n_components;
         } else if (area[c] > 0) {
@@ -50,7 +71,9 @@ std::vector<char> large_components(const TriangleMesh& mesh, const Components& c
 
 Core core_of(const TriangleMesh& mesh) {
     Core core;
-    const WeldResult welded = weld(mesh);
+    WeldResult welded = weld(mesh);
+    const std::vector<Index> proper = proper_triangles(welded.mesh, core);
+    welded.mesh.triangles = welded.mesh.triangles(proper, Eigen::all).eval();
     core.n_joined = mesh.n_vertices() - welded.mesh.n_vertices();
     const Components components = connected_components(Adjacency(welded.mesh));
     const std::vector<char> kept = large_components(welded.mesh, components, core);
@@ -68,14 +91,14 @@ Core core_of(const TriangleMesh& mesh) {
     TriangleMesh part{mesh.vertices(core.input_of_core, Eigen::all), {}};
     std::vector<Index> triangles;
     for (Index t = 0; t < welded.mesh.n_triangles(); ++t)
-        if (number[at(welded.mesh.triangles(t, 0))] >= 0 && !is_degenerate(welded.mesh, t))
-            triangles.push_back(t);
+        if (number[at(welded.mesh.triangles(t, 0))] >= 0) triangles.push_back(t);
     part.triangles =
         welded.mesh.triangles(triangles, Eigen::all).unaryExpr([&](Index v) { return number[at(v)]; });
 
     const NearestNeighbors nearest(part.vertices);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         const Index own = number[at(welded.welded_from_original[at(v)])];
+        if (own < 0) core.left_out.push_back(v);
         core.core_of_input.push_back(own >= 0 ? own : nearest.closest(mesh.vertices.row(v)).index);
     }
     const MeshReport report = analyze(part);

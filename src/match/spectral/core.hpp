@@ -16,8 +16,10 @@ struct Core {
     std::vector<Index>
         core_of_input;  // per input vertex; for those left out, the core vertex nearest in space
     std::vector<Index> input_of_core;
+    std::vector<Index> left_out;   // input vertices that only follow, increasing
     Index n_joined = 0;            // vertices at the place of another one
     Index n_unreferenced = 0;      // vertices in no triangle
+    Index n_repeated = 0;          // triangles with the corners of another, left out
     Index n_components = 1;        // of the core
     Index n_small_components = 0;  // left out
     double small_share = 0;        // of the area, left out
@@ -26,8 +28,8 @@ struct Core {
     bool was_inside_out = false;
 };
 
-/// Vertices at one place become one; vertices in no triangle and components of less than a hundredth of the
-/// area are left out. O((V + F) log F).
+/// Vertices at one place become one; vertices in no triangle, triangles with the same corners as one before
+/// and components of less than a tenth of the largest one's area are left out. O((V + F) log F).
 Core core_of(const TriangleMesh& mesh);
 
 /// A map between cores as one between the inputs.

@@ -23,6 +23,8 @@ void doubts_of_input(const Core& core, const std::string& name, Sentences& sente
     say(core.n_unreferenced > 0,
         fmt::format("{}: {} in no triangle; each gets the partner of the vertex next to it", name,
                     counted(core.n_unreferenced, "vertex", "vertices")));
+    say(core.n_repeated > 0, fmt::format("{}: {} with the corners of another left out", name,
+                                         counted(core.n_repeated, "triangle", "triangles")));
     say(core.n_disagreeing > 0, fmt::format("{}: {} wound against the others and turned around", name,
                                             counted(core.n_disagreeing, "triangle", "triangles")));
     say(core.n_one_sided > 0,
@@ -71,10 +73,9 @@ Sentences doubts(const Shape& source, const Shape& target) {
     doubts_of_shape(source, "source", sentences);
     doubts_of_shape(target, "target", sentences);
     if (source.core.n_components != target.core.n_components)
-        sentences.push_back(
-            fmt::format("the source has {} components and the target {}: some parts may have no "
-                        "counterpart",
-                        source.core.n_components, target.core.n_components));
+        sentences.push_back(fmt::format(
+            "the source has {} and the target {}: some parts may have no counterpart",
+            counted(source.core.n_components, "component", "components"), target.core.n_components));
     return sentences;
 }
 

@@ -122,8 +122,9 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
 
 Shape prepare(const TriangleMesh& mesh, const ShapeOptions& options) {
     require_valid(mesh);
-    if (!(surface_area(mesh) > 0))
-        throw InvalidInput("the mesh has no area: all its triangles are degenerate");
+    const double area = surface_area(mesh);
+    if (!(area > 0)) throw InvalidInput("the mesh has no area: all its triangles are degenerate");
+    if (!std::isfinite(area)) throw InvalidInput("the mesh is too large to measure: scale it down first");
     Shape shape;
     shape.core = core_of(mesh);
     if (shape.core.mesh.n_vertices() < least_vertices)

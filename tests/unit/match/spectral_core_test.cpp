@@ -71,10 +71,34 @@ TEST(SpectralCore, LeavesOutCrumbsAndLooseVertices) {
     EXPECT_NEAR(core.small_share, 0.002, 0.0005);
     EXPECT_EQ(core.n_unreferenced, 1);
     EXPECT_EQ(core.n_components, 1);
+    std::vector<Index> left_out = counting(12);
+    left_out.push_back(mesh.n_vertices() - 1);
+    EXPECT_EQ(core.left_out, left_out);
     EXPECT_GT(core.mesh.vertices(core.core_of_input[0], 2), 0.9);       // of the crumb: near the north pole
     EXPECT_LT(core.mesh.vertices(core.core_of_input.back(), 2), -0.9);  // the loose one: near the south pole
     for (std::size_t c = 0; c < core.input_of_core.size(); ++c)
         EXPECT_EQ(core.core_of_input[static_cast<std::size_t>(core.input_of_core[c])], static_cast<Index>(c));
+}
+
+TEST(SpectralCore, LeavesOutRepeatedTriangles) {
+    const TriangleMesh ball = make_icosphere(2);
+    TriangleMesh twice{ball.vertices, Triangles(2 * ball.n_triangles(), 3)};
+    twice.triangles << ball.triangles, ball.triangles.rowwise().reverse();
+    const Core core = core_of(twice);
+    EXPECT_EQ(core.mesh.triangles, ball.triangles);
+    EXPECT_EQ(core.n_repeated, ball.n_triangles());
+    EXPECT_EQ(core.n_nonmanifold_edges, 0);
+}
+
+TEST(SpectralCore, LeavesOutComponentsBelowATenthOfTheLargest) {
+    TriangleMesh small = make_icosphere(2), other = make_icosphere(2);
+    small.vertices *= 0.25;  // a sixteenth
+    small.vertices.col(0).array() += 3;
+    other.vertices *= 0.4;  // a sixth
+    other.vertices.col(0).array() -= 3;
+    const Core core = core_of(beside(beside(small, other), make_icosphere(2)));
+    EXPECT_EQ(core.n_components, 2);
+    EXPECT_EQ(core.n_small_components, 1);
 }
 
 TEST(SpectralCore, KeepsEqualPiecesHoweverMany) {

@@ -4,6 +4,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
+#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
@@ -112,6 +113,34 @@ TEST(MatchSpectral, UnlikeShapesGetLittleConfidenceAndASentence) {
     EXPECT_LT(result.confidence.maxCoeff(), 0.2);
 }
 
+TEST(MatchSpectral, AlternativesDifferFromTheBestMapAndFromEachOther) {
+    const TriangleMesh source = bumpy_sphere(3);
+    const SpectralResult result = match_spectral(source, source, {.n_alternatives = 10}, small);
+    EXPECT_EQ(result.target_from_source, identity_map(source.n_vertices()));
+    EXPECT_FALSE(result.alternatives.empty());
+    EXPECT_GT(result.margin, 0.03);
+    EXPECT_EQ(all_of(result.warnings), "");
+    std::vector<VertexMap> maps{result.target_from_source};
+    for (const SpectralAlternative& other : result.alternatives) {
+        for (const VertexMap& map : maps)
+            EXPECT_GT(mean_error(other.target_from_source, map, source), 1.0) << other.description;
+        maps.push_back(other.target_from_source);
+    }
+}
+
+TEST(MatchSpectral, ACloseRunnerUpIsSaidEvenIfNoneIsAskedFor) {
+    const TriangleMesh ball = make_icosphere(3);  // any turn is as good
+    const SpectralResult result = match_spectral(ball, move_at_random(ball, 3), {.n_alternatives = 0}, small);
+    EXPECT_TRUE(result.alternatives.empty());
+    EXPECT_NE(all_of(result.warnings).find("nearly as good"), std::string::npos) << all_of(result.warnings);
+}
+
+TEST(MatchSpectral, CoordinatesTooLargeForAreasAreRefused) {
+    TriangleMesh huge = make_icosphere(2);
+    huge.vertices *= 1e150;
+    EXPECT_THROW(match_spectral(huge, make_icosphere(2), {}, small), InvalidInput);
+}
+
 TEST(MatchSpectral, MeshesWithoutAreaAreRefused) {
     TriangleMesh needle = make_grid(6, 6);
     needle.vertices.rightCols(2).setZero();
@@ -163,6 +192,7 @@ TEST(MatchSpectral, UnreferencedVerticesAndHolesDoNoHarm) {
     const SpectralResult result = match_spectral(source, bumpy_sphere(3), {}, small);
     EXPECT_EQ(count_matched(result.target_from_source), source.n_vertices());
     EXPECT_TRUE(result.confidence.allFinite());
+    EXPECT_EQ(result.confidence.tail(2).maxCoeff(), 0);
 }
 
 TEST(MatchSpectral, MeshesOfVeryDifferentSizePassBothWays) {
