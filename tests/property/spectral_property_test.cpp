@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What must not matter to the spectral method: which mesh is the source, how they lie, their size and the
+// order of their vertices. Two bodies of different connectivity in two poses.
+#include "support/disguise.hpp"
+
+#include <counterpart/match/spectral.hpp>
+#include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+const SpectralShapeOptions small{.basis_size = 60, .n_samples = 300};
+constexpr double most_change = 0.3;
+
+// The target's positions in the rest pose tell how far a vertex is from where it belongs.
+class SpectralProperty : public testing::Test {
+  protected:
+    VertexMap match(const TriangleMesh& from, const TriangleMesh& to) const {
+        return match_spectral(from, to, {}, small).target_from_source;
+    }
+    double error(const VertexMap& map) const {
+        double sum = 0;
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            sum += (source.vertices.row(v) - rest.vertices.row(map[v])).norm();
+        return 100 * sum / source.n_vertices() / std::sqrt(surface_area(rest));
+    }
+    void expect_unchanged(const VertexMap& map) const {
+        const double before = error(match(source, target));
+        EXPECT_LT(before, 4.0);
+        EXPECT_NEAR(error(map), before, most_change);
+    }
+
+    const TriangleMesh source = make_body({.subdivisions = 0}), rest = make_body({.subdivisions = 1}),
+                       target = deform(rest, {.bend = 0.6, .twist = 0.4});
+};
+
+TEST_F(SpectralProperty, Swapped) {
+    expect_unchanged(match_spectral(target, source, {}, small).source_from_target);
+}
+
+TEST_F(SpectralProperty, MovedScaledAndRenumbered) {
+    TriangleMesh tiny = test::moved(source, 7), huge = test::moved(target, 8);
+    tiny.vertices *= 1e-6;
+    huge.vertices *= 1e6;
+    const test::DisguisedMesh a = test::shuffled(tiny, 5), b = test::shuffled(huge, 6);
+    const VertexMap between = match(a.mesh, b.mesh);
+    expect_unchanged(compose(compose(a.mesh_from_original, between), invert(b.mesh_from_original)));
+}
+
+TEST_F(SpectralProperty, BothReflectedAndOneInsideOut) {
+    TriangleMesh inside_out = test::mirrored(target);
+    inside_out.triangles.col(1).swap(inside_out.triangles.col(2));
+    expect_unchanged(match(test::mirrored(source), inside_out));
+}
+
+}  // namespace
+}  // namespace counterpart
