@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "match/spectral/extremity_matching.hpp"
+#include "match/spectral/poses.hpp"
 
 #include <counterpart/spectral/functional_map.hpp>
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int start_size = 20;  // functions of the first functional map
 constexpr int coarse_size = 30;
+constexpr int pose_size = 5;  // alike poses tell little more than the coarsest functions do
 
 std::vector<int> sizes_between(int first, int last, int step) {
     std::vector<int> sizes;
@@ -55,13 +57,24 @@ Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const Shap
     return all;
 }
 
-// All of the Candidate from a starting functional map.
-Candidate grow(const SampledPair& pair, const PairedFunctionalMaps& start) {
-    const int first = static_cast<int>(start.a_from_b.rows());
+// A candidate's first two maps, enough to tell whether it is going to be like another one.
+struct Beginning {
+    PairedMaps maps;
+    int size = 0;  // functions that it is fitted to
+};
+
+Beginning begin(const SampledPair& pair, const PairedFunctionalMaps& start) {
+    const int size = std::min(static_cast<int>(start.a_from_b.rows()) + 1, coarse_size);
+    return {zoom_out(pair.points_a, pair.points_b, match_points(pair.points_a, pair.points_b, start), {size},
+                     false),
+            size};
+}
+
+Candidate grow(const SampledPair& pair, Beginning beginning) {
     Candidate candidate;
-    candidate.maps = match_points(pair.points_a, pair.points_b, start);
-    candidate.maps = zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps),
-                              sizes_between(std::min(first + 1, coarse_size), coarse_size, 5), false);
+    candidate.maps =
+        zoom_out(pair.points_a, pair.points_b, std::move(beginning.maps),
+                 sizes_between(std::min(beginning.size + 5, coarse_size), coarse_size, 5), false);
     candidate.functional =
         fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, coarse_size, false);
     candidate.scores = score_maps(pair, candidate.maps, candidate.functional, coarse_score);
@@ -74,6 +87,89 @@ PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
     result.a_from_b.col(column) *= -1;
     result.b_from_a.row(column) *= -1;
     return result;
+}
+
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+// Vertices that starts take as corresponding; an empty list means descriptors alone.
+std::vector<Pairs> anchors(const SampledPair& pair, const Pairs& landmarks) {
+    constexpr std::size_t n_matchings = 24;
+    if (!landmarks.empty()) return {landmarks};
+    std::vector<Pairs> result;
+    for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, n_matchings)) {
+        result.emplace_back();
+        for (const auto& [i, j] : matching.pairs)
+            result.back().emplace_back(pair.a.extremities[static_cast<std::size_t>(i)].vertex,
+                                       pair.b.extremities[static_cast<std::size_t>(j)].vertex);
+    }
+    result.emplace_back();
+    return result;
+}
+
+std::vector<Candidate> grown_from_anchors(const SampledPair& pair, const std::vector<Pairs>& anchors) {
+    const int k = std::min({start_size, pair.a.basis.size(), pair.b.basis.size()});
+    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(pair.a, k),
+                          descriptors_b = descriptor_coefficients(pair.b, k);
+    std::vector<Candidate> candidates(anchors.size());
+    parallel_for(anchors.size(), 1, [&](std::size_t i) {
+        std::vector<Index> on_a, on_b;
+        for (const auto& [va, vb] : anchors[i]) {
+            on_a.push_back(va);
+            on_b.push_back(vb);
+        }
+        const MatrixF c =
+            fit_functional_map(with_heat_kernels(descriptors_a, pair.a, on_a), pair.a.basis.eigenvalues,
+                               with_heat_kernels(descriptors_b, pair.b, on_b), pair.b.basis.eigenvalues)
+                .cast<float>();
+        candidates[i] = grow(pair, begin(pair, {c, c.transpose()}));
+    });
+    return candidates;
+}
+
+void add_grown(std::vector<Candidate>& candidates, const SampledPair& pair,
+               std::vector<Beginning> beginnings) {
+    const std::size_t n_before = candidates.size();
+    candidates.resize(n_before + beginnings.size());
+    parallel_for(beginnings.size(), 1,
+                 [&](std::size_t i) { candidates[n_before + i] = grow(pair, std::move(beginnings[i])); });
+}
+
+// The sign flips of the best candidates that were not varied before.
+std::vector<Beginning> variations(const SampledPair& pair, std::vector<Candidate>& candidates) {
+    constexpr std::size_t n_varied = 24;
+    constexpr Eigen::Index first_flip = 5, last_flip = 17;
+    std::vector<std::pair<std::size_t, int>> flips;
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < candidates.size() && chosen < n_varied; ++i) {
+        if (candidates[i].varied) continue;
+        candidates[i].varied = true;
+        ++chosen;
+        const MatrixF& map = candidates[i].functional.a_from_b;
+        const Eigen::Index last = std::min({last_flip, map.rows() - 1, map.cols() - 1});
+        for (Eigen::Index column = first_flip; column <= last; ++column)
+            flips.emplace_back(i, static_cast<int>(column));
+    }
+    std::vector<Beginning> beginnings(flips.size());
+    parallel_for(flips.size(), 1, [&](std::size_t f) {
+        beginnings[f] = begin(pair, flipped(candidates[flips[f].first].functional, flips[f].second));
+    });
+    return beginnings;
+}
+
+// Those unlike all in `known`, which they join.
+std::vector<Beginning> unknown(std::vector<Beginning> beginnings, const MapDistance& distance,
+                               std::vector<PairedMaps>& known) {
+    constexpr double least_difference = 0.03;
+    std::vector<Beginning> fresh;
+    for (Beginning& beginning : beginnings) {
+        const bool is_new = std::all_of(known.begin(), known.end(), [&](const PairedMaps& other) {
+            return distance(beginning.maps, other) >= least_difference;
+        });
+        if (!is_new) continue;
+        known.push_back(beginning.maps);
+        fresh.push_back(std::move(beginning));
+    }
+    return fresh;
 }
 
 }  // namespace
@@ -137,65 +233,21 @@ void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distan
     candidates = std::move(kept);
 }
 
-std::vector<Candidate> find_candidates(const SampledPair& pair,
-                                       const std::vector<std::pair<Index, Index>>& landmarks,
-                                       std::size_t count) {
-    constexpr std::size_t n_matchings = 24, n_varied = 24, n_pool = 60;
-    constexpr int n_rounds = 4, first_flip = 5, last_flip = 17;
+std::vector<Candidate> find_candidates(const SampledPair& pair, const Pairs& landmarks, std::size_t count) {
+    constexpr std::size_t n_pool = 60;
+    constexpr int n_rounds = 2;
     constexpr double least_difference = 0.05;
-    std::vector<std::vector<std::pair<Index, Index>>> anchors;
-    if (!landmarks.empty())
-        anchors.push_back(landmarks);
-    else {
-        for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, n_matchings)) {
-            anchors.emplace_back();
-            for (const auto& [i, j] : matching.pairs)
-                anchors.back().emplace_back(pair.a.extremities[static_cast<std::size_t>(i)].vertex,
-                                            pair.b.extremities[static_cast<std::size_t>(j)].vertex);
-        }
-        anchors.emplace_back();  // descriptors alone
+    std::vector<Candidate> candidates = grown_from_anchors(pair, anchors(pair, landmarks));
+    if (landmarks.empty()) {
+        std::vector<Beginning> posed;
+        for (PairedMaps& maps : maps_between_poses(pair)) posed.push_back({std::move(maps), pose_size});
+        add_grown(candidates, pair, std::move(posed));
     }
-    const int k = std::min({start_size, pair.a.basis.size(), pair.b.basis.size()});
-    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(pair.a, k),
-                          descriptors_b = descriptor_coefficients(pair.b, k);
-    std::vector<Candidate> candidates(anchors.size());
-    parallel_for(anchors.size(), 1, [&](std::size_t i) {
-        std::vector<Index> on_a, on_b;
-        for (const auto& [va, vb] : anchors[i]) {
-            on_a.push_back(va);
-            on_b.push_back(vb);
-        }
-        const MatrixF c =
-            fit_functional_map(with_heat_kernels(descriptors_a, pair.a, on_a), pair.a.basis.eigenvalues,
-                               with_heat_kernels(descriptors_b, pair.b, on_b), pair.b.basis.eigenvalues)
-                .cast<float>();
-        candidates[i] = grow(pair, {c, c.transpose()});
-    });
     const MapDistance distance(pair);
     keep_distinct(candidates, distance, least_difference, candidates.size());
+    std::vector<PairedMaps> known;
     for (int round = 0; round < n_rounds; ++round) {
-        // Only candidates that were not varied before.
-        std::vector<std::pair<std::size_t, int>> flips;
-        std::size_t chosen = 0;
-        for (std::size_t i = 0; i < candidates.size() && (round == 0 || chosen < n_varied); ++i) {
-            if (candidates[i].varied) continue;
-            candidates[i].varied = true;
-            ++chosen;
-            for (int column = first_flip;
-                 column <= std::min<int>(last_flip, static_cast<int>(
-                                                        std::min(candidates[i].functional.a_from_b.rows(),
-                                                                 candidates[i].functional.a_from_b.cols())) -
-                                                        1);
-                 ++column)
-                flips.emplace_back(i, column);
-        }
-        if (flips.empty()) break;
-        const std::size_t n_before = candidates.size();
-        candidates.resize(n_before + flips.size());
-        parallel_for(flips.size(), 1, [&](std::size_t f) {
-            candidates[n_before + f] =
-                grow(pair, flipped(candidates[flips[f].first].functional, flips[f].second));
-        });
+        add_grown(candidates, pair, unknown(variations(pair, candidates), distance, known));
         keep_distinct(candidates, distance, least_difference, n_pool);
     }
     if (candidates.size() > count) candidates.resize(count);

@@ -3,13 +3,12 @@
 #include "match/spectral/elastic_fit.hpp"
 
 #include "base/parallel.hpp"
+#include "numerics/rotation.hpp"
 
 #include <counterpart/base/errors.hpp>
 
 #include <vector>
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <Eigen/SparseCholesky>
 
 namespace counterpart::spectral_match {
@@ -37,24 +36,20 @@ ElasticFit::~ElasticFit() = default;
 
 namespace {
 
-// The rotation that best turns the rest neighbourhood of each vertex into the present one.
-std::vector<Eigen::Matrix3d> best_rotations(const SparseMatrix& stiffness, const Points& rest,
-                                            const Points& now) {
-    std::vector<Eigen::Matrix3d> rotations(static_cast<std::size_t>(rest.rows()));
+// The rotation that best turns the rest neighbourhood of each vertex into the present one, followed from the
+// one before.
+void follow_rotations(std::vector<Eigen::Matrix3d>& rotations, const SparseMatrix& stiffness,
+                      const Points& rest, const Points& now) {
     parallel_for(rotations.size(), 256, [&](std::size_t i) {
         const auto v = static_cast<Eigen::Index>(i);
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
         for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
             if (it.row() == v) continue;
-            covariance -= it.value() * (rest.row(it.row()) - rest.row(v)).transpose() *
-                          (now.row(it.row()) - now.row(v));
+            covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() *
+                          (rest.row(it.row()) - rest.row(v));
         }
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        Eigen::Matrix3d u = svd.matrixU();
-        if ((svd.matrixV() * u.transpose()).determinant() < 0) u.col(2) *= -1;
-        rotations[i] = svd.matrixV() * u.transpose();
+        rotations[i] = follow_rotation(covariance, Eigen::Quaterniond(rotations[i])).toRotationMatrix();
     });
-    return rotations;
 }
 
 // sum_j w_ij (R_i + R_j) / 2 (rest_i - rest_j) for every i.
@@ -77,8 +72,9 @@ Points rotated_differences(const SparseMatrix& stiffness, const Points& rest,
 Points ElasticFit::operator()(const Points& towards, const Points& start, int iterations) const {
     Points now = start;
     const Eigen::MatrixXd pulled = system_->pull.asDiagonal() * towards;
+    std::vector<Eigen::Matrix3d> rotations(static_cast<std::size_t>(now.rows()), Eigen::Matrix3d::Identity());
     for (int i = 0; i < iterations; ++i) {
-        const auto rotations = best_rotations(system_->stiffness, system_->rest, now);
+        follow_rotations(rotations, system_->stiffness, system_->rest, now);
         const Eigen::MatrixXd right =
             pulled + rotated_differences(system_->stiffness, system_->rest, rotations);
         now = system_->factor.solve(right);
