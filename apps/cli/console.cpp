@@ -73,6 +73,12 @@ TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& o
     return std::move(loaded.mesh);
 }
 
+AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options) {
+    AttributedMeshFile loaded = read_attributed_mesh(file);
+    for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
+    return std::move(loaded.content);
+}
+
 Progress progress_bar(const std::string& label, const CommonOptions& options) {
     if (options.quiet || isatty(STDERR_FILENO) == 0) return {};
     return [bar = std::make_shared<Bar>(label)](double fraction) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <counterpart/base/progress.hpp>
+#include <counterpart/io/attributed_mesh_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
 #include <filesystem>
@@ -34,6 +35,8 @@ void warn(const std::string& message);
 
 /// Reads a mesh and says its notices, each led by the file's name.
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);
+/// The same, with all that the file holds beside the triangles.
+AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options);
 
 /// A bar on stderr that appears after a second of work; silent when stderr is not a terminal or with --quiet.
 Progress progress_bar(const std::string& label, const CommonOptions& options);

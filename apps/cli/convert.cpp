@@ -19,13 +19,16 @@ struct ConvertCommand {
 };
 
 void run(const ConvertCommand& command) {
-    TriangleMesh mesh = load_mesh(command.input, command.common);
+    AttributedMesh content = load_attributed_mesh(command.input, command.common);
     if (command.weld_distance >= 0) {
-        const Index before = mesh.n_vertices();
-        mesh = weld(mesh, {.distance = command.weld_distance}).mesh;
-        say(command.common, fmt::format("welded {} vertices into {}", before, mesh.n_vertices()));
+        TriangleMesh welded = weld(content.mesh, {.distance = command.weld_distance}).mesh;
+        say(command.common, fmt::format("welded {} vertices into {}; what else the file holds is left out",
+                                        content.mesh.n_vertices(), welded.n_vertices()));
+        content = {};
+        content.mesh = std::move(welded);
     }
-    write_mesh(mesh, command.output);
+    write_attributed_mesh(content, command.output);
+    const TriangleMesh& mesh = content.mesh;
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
                                     command.output.string()));
     write_report({{"command", "convert"},
@@ -42,7 +45,7 @@ void add_convert(CLI::App& program) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App* convert =
         program.add_subcommand("convert", "Write a mesh in another format, vertices in the same order");
-    convert->add_option("IN", command->input, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    convert->add_option("IN", command->input, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
     convert->add_option("OUT", command->output, "Mesh file; the ending tells the format")->required();
     convert
         ->add_option(

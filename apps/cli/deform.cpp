@@ -68,7 +68,7 @@ void add_deform(CLI::App& program) {
     deform
         ->add_option("IN", command->input, "Mesh file, or the word body for a figure that the program makes")
         ->required();
-    deform->add_option("OUT", command->output, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    deform->add_option("OUT", command->output, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
     deform
         ->add_option(
             "--bend", command->bend_degrees,

@@ -124,7 +124,7 @@ void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
     CLI::App* inspect =
         program.add_subcommand("inspect", "Say what a mesh is made of and what is unusual about it");
-    inspect->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl)")->required();
+    inspect->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
     inspect->add_option("--components", command->n_components, "Number of components to describe; 0 or more")
         ->capture_default_str();
     add_common_options(*inspect, command->common);

@@ -16,6 +16,11 @@
 
 namespace counterpart {
 
+/// The extension in lower case.
+std::string lower_extension(const std::filesystem::path& file);
+/// Whether the name ends in .glb or .gltf.
+bool is_gltf(const std::filesystem::path& file);
+
 MeshFile read_off(std::string_view bytes, const std::string& name);
 MeshFile read_obj(std::string_view bytes, const std::string& name);
 MeshFile read_ply(std::string_view bytes, const std::string& name);

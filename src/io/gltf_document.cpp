@@ -111,22 +111,14 @@ void require_supported(const GltfDocument& document) {
     }
 }
 
-std::string load_buffer(const GltfDocument& document, std::size_t i, const Glb& glb,
-                        const std::filesystem::path& folder) {
+std::string load_buffer(const GltfDocument& document, std::size_t i, const Glb& glb) {
     const GltfJson& buffer = document.element("buffers", static_cast<std::int64_t>(i));
     std::string bytes;
-    if (!buffer.contains("uri")) {
+    if (buffer.contains("uri")) {
+        bytes = load_uri(document, buffer["uri"].get<std::string>(), fmt::format("buffer {}", i));
+    } else {
         if (i != 0 || !glb.has_binary) document.fail(fmt::format("buffer {} has no data", i));
         bytes = std::string(glb.binary);
-    } else {
-        const std::string uri = buffer["uri"].get<std::string>();
-        const std::size_t data = uri.find(";base64,");
-        if (uri.starts_with("data:")) {
-            if (data == uri.npos) document.fail(fmt::format("buffer {}: the data URI is not base64", i));
-            bytes = base64_decoded(document, std::string_view(uri).substr(data + 8));
-        } else {
-            bytes = read_whole_file(folder / percent_decoded(uri));
-        }
     }
     const std::int64_t wanted = number_at(document, buffer, "byteLength", 0);
     if (wanted > static_cast<std::int64_t>(bytes.size()))
@@ -162,8 +154,21 @@ std::int64_t number_at(const GltfDocument& document, const GltfJson& object, con
     return static_cast<std::int64_t>(value);
 }
 
+std::string load_uri(const GltfDocument& document, const std::string& uri, const std::string& what) {
+    if (!uri.starts_with("data:")) {
+        const std::filesystem::path file = document.folder / percent_decoded(uri);
+        std::error_code ignored;
+        if (!std::filesystem::exists(file, ignored))
+            document.fail(fmt::format("{} is missing: there is no file {}", what, file.string()));
+        return read_whole_file(file);
+    }
+    const std::size_t data = uri.find(";base64,");
+    if (data == uri.npos) document.fail(fmt::format("{}: the data URI is not base64", what));
+    return base64_decoded(document, std::string_view(uri).substr(data + 8));
+}
+
 GltfDocument load_gltf(const std::filesystem::path& file) {
-    GltfDocument document{file.string(), {}, {}};
+    GltfDocument document{file.string(), file.parent_path(), {}, {}};
     const std::string bytes = read_whole_file(file);
     Glb glb;
     if (bytes.starts_with(glb_magic))
@@ -175,7 +180,7 @@ GltfDocument load_gltf(const std::filesystem::path& file) {
     try {
         require_supported(document);
         for (std::size_t i = 0; i < document.count("buffers"); ++i)
-            document.buffers.push_back(load_buffer(document, i, glb, file.parent_path()));
+            document.buffers.push_back(load_buffer(document, i, glb));
     } catch (const GltfJson::exception& error) {
         document.fail(fmt::format("the JSON is not glTF ({})", error.what()));
     }

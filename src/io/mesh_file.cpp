@@ -28,6 +28,20 @@ constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
                                             {".ply", read_ply, ply_bytes},
                                             {".stl", read_stl, stl_bytes}}};
 
+const Format& format_of(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    const auto* found = std::find_if(formats.begin(), formats.end(),
+                                     [&](const Format& format) { return format.extension == extension; });
+    if (found == formats.end()) {
+        throw IoError(fmt::format(
+            "{}: the name must end in .off, .obj, .ply, .stl, .glb or .gltf, which tells the format",
+            file.string()));
+    }
+    return *found;
+}
+
+}  // namespace
+
 std::string lower_extension(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -35,23 +49,13 @@ std::string lower_extension(const std::filesystem::path& file) {
     return extension;
 }
 
-const Format& format_of(const std::filesystem::path& file) {
+bool is_gltf(const std::filesystem::path& file) {
     const std::string extension = lower_extension(file);
-    const auto* found = std::find_if(formats.begin(), formats.end(),
-                                     [&](const Format& format) { return format.extension == extension; });
-    if (found == formats.end()) {
-        throw IoError(
-            fmt::format("{}: the name must end in .off, .obj, .ply or .stl, which tells the format "
-                        "(.glb and .gltf can be read, not written)",
-                        file.string()));
-    }
-    return *found;
+    return extension == ".glb" || extension == ".gltf";
 }
 
-}  // namespace
-
 MeshFile read_mesh(const std::filesystem::path& file) {
-    if (const std::string extension = lower_extension(file); extension == ".glb" || extension == ".gltf") {
+    if (is_gltf(file)) {
         GltfFile gltf = read_gltf(file);
         return {std::move(gltf.content.mesh), std::move(gltf.notices)};
     }
@@ -66,6 +70,12 @@ MeshFile read_mesh(const std::filesystem::path& file) {
 }
 
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
+    if (is_gltf(file)) {
+        AttributedMesh content;
+        content.mesh = mesh;
+        write_gltf(content, file);
+        return;
+    }
     const Format& format = format_of(file);
     try {
         require_valid(mesh);

@@ -25,4 +25,13 @@ struct GltfFile {
 /// meshes (Draco, meshopt).
 GltfFile read_gltf(const std::filesystem::path& file);
 
+/// Writes glTF 2.0: one .glb, or one .gltf with its data inside. What `content.document` holds comes along,
+/// textures beside it included, and what did not change in it keeps its accessors byte for byte; the rest is
+/// stored in new ones (floats). While the triangles are the document's, so are the vertices as they are split
+/// at seams, where the corners allow it; else vertices are split where corners differ, in the order of the
+/// content's. Vertices without triangles are then left out, as are tangents and other attributes that only
+/// the document knows. The file appears whole or not at all. Throws IoError, also if the parts of `content`
+/// do not fit each other, or a texture file is missing.
+void write_gltf(const AttributedMesh& content, const std::filesystem::path& file);
+
 }  // namespace counterpart

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/byte_order.hpp"
+#include "support/gltf_accessors.hpp"
+#include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/atomic_file.hpp>
 #include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -176,6 +179,152 @@ TEST(Gltf, AnyTruncationIsAnError) {
     for (std::size_t size = 0; size < bytes.size() - 4; size += 7)
         EXPECT_THROW(read(bytes.substr(0, size)), IoError) << size;
     std::filesystem::remove(file);
+}
+
+// What is written and read again.
+GltfFile written(const AttributedMesh& content, const char* extension = ".glb") {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path copy = (folder / "copy").replace_extension(extension);
+    write_gltf(content, copy);
+    return read_gltf(copy);
+}
+
+TEST(WriteGltf, WhatDidNotChangeKeepsItsAccessors) {
+    const test::TemporaryFolder folder;
+    for (const bool placed : {false, true}) {
+        Square square;
+        // A joint that no weight makes use of, and what the program knows nothing of.
+        square.bytes[static_cast<std::size_t>(square.json["bufferViews"][4]["byteOffset"]) + 2] = 1;
+        square.json["accessors"][0]["min"] = {0, 0, 0};
+        square.json["extras"] = {{"answer", 42.0}};
+        if (placed)
+            square.json["nodes"][0].update(Json{{"scale", {-2, 1, .3}}, {"rotation", {0, .6, 0, .8}}});
+        const GltfFile before = read(square.glb());
+        for (const char* name : {"copy.glb", "copy.gltf"}) {
+            write_gltf(before.content, folder / name);
+            EXPECT_EQ(test::accessor_difference(file, folder / name), "");
+            EXPECT_EQ(read_gltf(folder / name).content.mesh.vertices, before.content.mesh.vertices);
+        }
+    }
+}
+
+TEST(WriteGltf, OnlyWhatChangedGetsNewAccessors) {
+    Square square;
+    square.json["nodes"][0]["scale"] = {2, 2, 2};
+    GltfFile before = read(square.glb());
+    before.content.mesh.vertices(2, 2) += 0.5;
+    before.content.morphs[0].name = "grin";
+    const GltfFile after = written(before.content);
+    EXPECT_EQ(after.content.mesh.vertices, before.content.mesh.vertices);
+    EXPECT_EQ(after.vertex_from_file, before.vertex_from_file);
+    EXPECT_EQ(after.content.morphs[0].name, "grin");
+    const test::TemporaryFolder folder;
+    write_gltf(before.content, folder / "copy.glb");
+    EXPECT_EQ(test::accessor_difference(file, folder / "copy.glb"), "the number of accessors");
+}
+
+TEST(WriteGltf, CornersThatComeApartSplitVertices) {
+    GltfFile before = read(Square().glb());
+    CornerAttribute& coordinates = before.content.texture_coordinates[0];
+    coordinates.values.conservativeResize(7, 2);
+    coordinates.values.row(6) << 0.25, 0.75;
+    coordinates.corners(0, 1) = 6;
+    GltfFile after = written(before.content);
+    EXPECT_EQ(after.vertex_from_file.size(), 6U);
+    // A second surface over the square, with a seam where there was none.
+    before.content.mesh.triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}};
+    coordinates.corners = Triangles{{0, 6, 2}, {3, 4, 5}, {0, 1, 5}};
+    before.content.parts.assign(3, 0);
+    after = written(before.content);
+    EXPECT_EQ(after.content.mesh.triangles, before.content.mesh.triangles);
+    EXPECT_EQ(after.content.mesh.vertices, before.content.mesh.vertices);
+    EXPECT_EQ(after.vertex_from_file, (std::vector<Index>{0, 0, 1, 1, 2, 2, 3}));
+    EXPECT_EQ(after.content.skin.weights, before.content.skin.weights);
+    EXPECT_EQ(after.content.morphs[0].displacements, before.content.morphs[0].displacements);
+    const CornerAttribute& now = after.content.texture_coordinates[0];
+    for (int t = 0; t < 3; ++t)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_EQ(now.values.row(now.corners(t, c)), coordinates.values.row(coordinates.corners(t, c)));
+}
+
+TEST(WriteGltf, AMeshFromElsewhereGetsAFileOfItsOwn) {
+    AttributedMesh content;
+    content.mesh = {Points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
+    content.normals = {Matrix{{0, 0, 1}, {0, 1, 0}}, Triangles{{0, 0, 0}, {1, 1, 1}}};
+    content.colors = {{Matrix{{1, 0.5, 0, 1}}, Triangles{{0, 0, 0}, {0, 0, 0}}}};
+    content.morphs = {{"up", Points::Ones(4, 3)}, {"down", -Points::Ones(4, 3)}};
+    content.parts = {0, 1};
+    for (const char* extension : {".glb", ".gltf"}) {
+        const AttributedMesh after = written(content, extension).content;
+        EXPECT_EQ(after.mesh.vertices, content.mesh.vertices);
+        EXPECT_EQ(after.mesh.triangles, content.mesh.triangles);
+        EXPECT_EQ(after.parts, content.parts);
+        ASSERT_EQ(after.morphs.size(), 2U);
+        EXPECT_EQ(after.morphs[1].name, "down");
+        EXPECT_EQ(after.morphs[1].displacements, content.morphs[1].displacements);
+        EXPECT_EQ(after.normals.values.row(after.normals.corners(1, 2)), content.normals.values.row(1));
+        EXPECT_EQ(after.colors[0].values.row(0), content.colors[0].values.row(0));
+    }
+}
+
+TEST(WriteGltf, SaysWhatIsWrongAndWritesNothing) {
+    Square square;
+    square.json["images"] = {{{"uri", "skin.png"}}};
+    const AttributedMesh textured = read(square.glb()).content;
+    AttributedMesh plain;
+    plain.mesh = textured.mesh;
+    const auto changed = [](AttributedMesh content, const std::function<void(AttributedMesh&)>& change) {
+        change(content);
+        return content;
+    };
+    const std::vector<std::pair<AttributedMesh, std::string>> cases = {
+        {textured, "the texture image 0 is missing"},
+        {changed(plain,
+                 [](AttributedMesh& m) {
+                     m.morphs = {{"smile", Points::Zero(3, 3)}};
+                 }),
+         "the morph target 'smile' has 3 rows where the mesh has 4 vertices"},
+        {changed(plain, [&](AttributedMesh& m) { m.skin = textured.skin; }), "no skeleton"},
+        {changed(plain, [](AttributedMesh& m) { m.mesh.triangles.resize(0, 3); }), "without triangles"},
+        {changed(plain, [](AttributedMesh& m) { m.parts = {0}; }), "1 part labels for 2 triangles"},
+        {changed(plain,
+                 [](AttributedMesh& m) {
+                     m.normals = {Matrix{{0, 0, 1}}, Triangles{{0, 0, 1}, {0, 0, 0}}};
+                 }),
+         "a row of the normals that does not exist"},
+        {changed(plain,
+                 [](AttributedMesh& m) {
+                     m.colors = {{Matrix{{0, 0, std::nan("")}}, Triangles{{0, 0, 0}, {0, 0, 0}}}};
+                 }),
+         "COLOR_0 is not finite"},
+    };
+    const test::TemporaryFolder folder;
+    for (const auto& [content, message] : cases) {
+        try {
+            write_gltf(content, folder / "out.glb");
+            ADD_FAILURE() << "written, where expected: " << message;
+        } catch (const IoError& error) {
+            EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.glb"));
+    std::filesystem::remove(file);
+}
+
+TEST(WriteGltf, WeightsThatSumToZeroAreRefused) {
+    Square square;
+    square.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, Json::object(), Json::object()};
+    square.json["skins"] = {{{"joints", {1, 2}}}};
+    AttributedMesh content = read(square.glb()).content;
+    content.skin.weights.row(2).setZero();
+    const test::TemporaryFolder folder;
+    EXPECT_THROW(write_gltf(content, folder / "out.glb"), IoError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.glb"));
+    content.skin.weights.row(2) << 0.25, 0.75, 0, 0;
+    content.skin.joints.row(2) << 1, 0, 0, 0;
+    EXPECT_EQ(written(content).content.skin.weights, content.skin.weights);
+    content.skin.joints(2, 0) = 2;
+    EXPECT_THROW(write_gltf(content, folder / "out.glb"), IoError);
 }
 
 }  // namespace

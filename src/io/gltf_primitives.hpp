@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// The triangles of a glTF file primitive by primitive, between the file's accessors and the joined surface.
+#pragma once
+
+#include "io/gltf_document.hpp"
+
+#include <counterpart/io/gltf.hpp>
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace counterpart {
+
+/// One primitive as stored, in the scene's space: its own vertices, before welding. Absent parts are empty.
+struct GltfPrimitive {
+    std::size_t mesh = 0, number = 0;                         ///< meshes[mesh].primitives[number]
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< from the mesh's space into the scene's
+    Points positions;
+    Triangles triangles;
+    Matrix normals;
+    std::vector<Matrix> texture_coordinates, colors;
+    SkinBinding skin;
+    std::vector<Points> displacements;
+};
+
+/// All that hold triangles, of the meshes that the scene shows. Throws IoError, also if there are none.
+std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::vector<std::string>& notices);
+
+/// The primitives as one surface. `content.document` stays empty.
+GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives);
+
+}  // namespace counterpart

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/formats.hpp"
+#include "io/gltf_split.hpp"
+#include "io/gltf_store.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/gltf.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+// What to write into, and what it holds already.
+struct Stored {
+    GltfDocument document;
+    std::vector<GltfPrimitive> primitives;
+    GltfFile file;  // nothing if the document's primitives hold nothing yet
+};
+
+void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what) {
+    if (attribute.values.rows() == 0) return;
+    if (attribute.corners.rows() != n_triangles)
+        throw InvalidInput(fmt::format("the {} have corners for {} triangles where the mesh has {}", what,
+                                       attribute.corners.rows(), n_triangles));
+    if (attribute.corners.minCoeff() < -1 || attribute.corners.maxCoeff() >= attribute.values.rows())
+        throw InvalidInput(fmt::format("a corner names a row of the {} that does not exist", what));
+}
+
+void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) {
+    if (rows != n_vertices)
+        throw InvalidInput(
+            fmt::format("{} has {} rows where the mesh has {} vertices", what, rows, n_vertices));
+}
+
+void require_consistent(const AttributedMesh& content) {
+    require_valid(content.mesh);
+    const Index n = content.mesh.n_vertices(), n_triangles = content.mesh.n_triangles();
+    if (n_triangles == 0) throw InvalidInput("a mesh without triangles cannot be written as glTF");
+    require_corners(content.normals, n_triangles, "normals");
+    for (const CornerAttribute& set : content.texture_coordinates)
+        require_corners(set, n_triangles, "texture coordinates");
+    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colours");
+    if (content.skin.weights.cols() > 0) {
+        require_rows(content.skin.weights.rows(), n, "the skin");
+        require_rows(content.skin.joints.rows(), n, "the skin");
+        if (content.skin.joints.cols() != content.skin.weights.cols())
+            throw InvalidInput("the skin has not as many joints as weights");
+    }
+    for (const MorphTarget& morph : content.morphs)
+        require_rows(morph.displacements.rows(), n, fmt::format("the morph target '{}'", morph.name));
+    if (!content.parts.empty() && static_cast<Index>(content.parts.size()) != n_triangles)
+        throw InvalidInput(
+            fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));
+}
+
+// For a mesh that is from no glTF file: one node, one primitive for each part.
+Stored new_document(const AttributedMesh& content) {
+    Stored stored;
+    const Index last =
+        content.parts.empty() ? 0 : *std::max_element(content.parts.begin(), content.parts.end());
+    GltfJson primitives = GltfJson::array();
+    for (Index part = 0; part <= last; ++part) {
+        primitives.push_back({{"attributes", GltfJson::object()}});
+        stored.primitives.emplace_back().number = static_cast<std::size_t>(part);
+    }
+    stored.document.json = {{"asset", {{"version", "2.0"}, {"generator", "counterpart"}}},
+                            {"scene", 0},
+                            {"scenes", {{{"nodes", {0}}}}},
+                            {"nodes", {{{"mesh", 0}}}},
+                            {"meshes", {{{"primitives", std::move(primitives)}}}}};
+    return stored;
+}
+
+Stored stored_content(const AttributedMesh& content) {
+    if (content.document == nullptr) return new_document(content);
+    Stored stored{*content.document, {}, {}};
+    std::vector<std::string> ignored;
+    stored.primitives = read_primitives(stored.document, ignored);
+    stored.file = join_primitives(stored.document, stored.primitives);
+    return stored;
+}
+
+std::vector<std::vector<Index>> triangles_of_parts(const AttributedMesh& content, std::size_t n_parts) {
+    std::vector<std::vector<Index>> triangles(n_parts);
+    for (Index t = 0; t < content.mesh.n_triangles(); ++t) {
+        const Index part = content.parts.empty() ? 0 : content.parts[static_cast<std::size_t>(t)];
+        if (part < 0 || static_cast<std::size_t>(part) >= n_parts)
+            throw InvalidInput(
+                fmt::format("triangle {} belongs to part {} where the file has {} parts", t, part, n_parts));
+        triangles[static_cast<std::size_t>(part)].push_back(t);
+    }
+    return triangles;
+}
+
+// How many blend shapes each mesh is to have: glTF wants as many in all its primitives.
+std::vector<std::size_t> morph_counts(const Stored& stored, const AttributedMesh& content,
+                                      const std::vector<GltfPrimitive>& wanted) {
+    std::vector<std::size_t> counts(std::max<std::size_t>(stored.document.count("meshes"), 1), 0);
+    const bool same_set = std::equal(content.morphs.begin(), content.morphs.end(),
+                                     stored.file.content.morphs.begin(), stored.file.content.morphs.end(),
+                                     [](const auto& a, const auto& b) { return a.name == b.name; });
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        std::size_t& count = counts[stored.primitives[p].mesh];
+        count = std::max(count, same_set ? stored.primitives[p].displacements.size() : content.morphs.size());
+        for (std::size_t i = count; i < wanted[p].displacements.size(); ++i)
+            if (!wanted[p].displacements[i].isZero(0)) count = i + 1;
+    }
+    return counts;
+}
+
+// Weights and animations that belong to another number of blend shapes say nothing any more.
+void forget_morph_weights(GltfDocument& document, std::size_t mesh) {
+    GltfJson& json = document.json;
+    json["meshes"][mesh].erase("weights");
+    std::vector<std::int64_t> nodes;
+    for (std::size_t i = 0; i < document.count("nodes"); ++i) {
+        GltfJson& node = json["nodes"][i];
+        if (number_at(document, node, "mesh", -1) != static_cast<std::int64_t>(mesh)) continue;
+        node.erase("weights");
+        nodes.push_back(static_cast<std::int64_t>(i));
+    }
+    for (std::size_t i = 0; i < document.count("animations"); ++i) {
+        GltfJson& channels = json["animations"][i]["channels"];
+        GltfJson kept = GltfJson::array();
+        for (const GltfJson& channel : channels) {
+            const GltfJson& target = channel.at("target");
+            const std::int64_t node = number_at(document, target, "node", -1);
+            if (target.value("path", "") != "weights" || std::count(nodes.begin(), nodes.end(), node) == 0)
+                kept.push_back(channel);
+        }
+        channels = std::move(kept);
+    }
+    if (!json.contains("animations")) return;
+    GltfJson animations = GltfJson::array();
+    for (const GltfJson& animation : json["animations"])
+        if (!animation["channels"].empty()) animations.push_back(animation);
+    if (animations.empty())
+        json.erase("animations");
+    else
+        json["animations"] = std::move(animations);
+}
+
+void name_morphs(Stored& stored, const AttributedMesh& content, const std::vector<std::size_t>& counts) {
+    std::vector<std::size_t> before(counts.size(), 0);
+    for (const GltfPrimitive& primitive : stored.primitives)
+        before[primitive.mesh] = std::max(before[primitive.mesh], primitive.displacements.size());
+    const std::vector<MorphTarget>& old = stored.file.content.morphs;
+    for (std::size_t m = 0; m < counts.size(); ++m) {
+        bool same = counts[m] == before[m];
+        for (std::size_t i = 0; i < counts[m] && same; ++i) same = old[i].name == content.morphs[i].name;
+        if (same) continue;
+        if (counts[m] != before[m] && before[m] > 0) forget_morph_weights(stored.document, m);
+        GltfJson& mesh = stored.document.json["meshes"][m];
+        GltfJson names = GltfJson::array();
+        for (std::size_t i = 0; i < counts[m]; ++i) names.push_back(content.morphs[i].name);
+        mesh["extras"]["targetNames"] = std::move(names);
+    }
+}
+
+void require_skeleton(const Stored& stored, const std::vector<GltfPrimitive>& wanted) {
+    std::vector<std::int64_t> n_joints(std::max<std::size_t>(stored.document.count("meshes"), 1), 0);
+    for (std::size_t i = 0; i < stored.document.count("nodes"); ++i) {
+        const GltfJson& node = stored.document.element("nodes", static_cast<std::int64_t>(i));
+        if (!node.contains("mesh") || !node.contains("skin")) continue;
+        const auto mesh = static_cast<std::size_t>(number_at(stored.document, node, "mesh", 0));
+        const GltfJson& skin = stored.document.element("skins", number_at(stored.document, node, "skin", -1));
+        n_joints[mesh] = static_cast<std::int64_t>(skin.at("joints").size());
+    }
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        const SkinBinding& skin = wanted[p].skin;
+        if (skin.weights.size() == 0 || skin.weights.isZero(0)) continue;
+        const std::int64_t available = n_joints[stored.primitives[p].mesh];
+        // A file may have had weights without a skeleton before.
+        if (available == 0 && stored.primitives[p].skin.weights.size() > 0) continue;
+        if (available == 0)
+            throw InvalidInput("there are skin weights but no skeleton that they could refer to");
+        const auto in_use = (skin.weights.array() != 0).select(skin.joints.array(), 0);
+        if (in_use.minCoeff() < 0 || in_use.maxCoeff() >= available)
+            throw InvalidInput(fmt::format("a vertex is bound to joint {} where the skeleton has {}",
+                                           in_use.minCoeff() < 0 ? in_use.minCoeff() : in_use.maxCoeff(),
+                                           available));
+    }
+}
+
+// Primitives without triangles are not allowed, nor meshes without primitives.
+void remove_empty(Stored& stored, const std::vector<GltfPrimitive>& wanted) {
+    GltfJson& json = stored.document.json;
+    for (std::size_t p = wanted.size(); p-- > 0;) {
+        if (wanted[p].triangles.rows() > 0) continue;
+        json["meshes"][stored.primitives[p].mesh]["primitives"].erase(stored.primitives[p].number);
+    }
+    for (std::size_t m = json["meshes"].size(); m-- > 0;) {
+        if (!json["meshes"][m]["primitives"].empty()) continue;
+        json["meshes"].erase(m);
+        for (GltfJson& node : json["nodes"]) {
+            const std::int64_t mesh = number_at(stored.document, node, "mesh", -1);
+            if (mesh == static_cast<std::int64_t>(m))
+                for (const char* key : {"mesh", "skin", "weights"}) node.erase(key);
+            else if (mesh > static_cast<std::int64_t>(m))
+                node["mesh"] = mesh - 1;
+        }
+    }
+}
+
+void store(Stored& stored, const AttributedMesh& content) {
+    const TriangleMesh& before = stored.file.content.mesh;
+    const auto parts = triangles_of_parts(content, stored.primitives.size());
+    const bool same_surface = before.n_vertices() == content.mesh.n_vertices() &&
+                              before.n_triangles() == content.mesh.n_triangles() &&
+                              before.triangles == content.mesh.triangles &&
+                              (stored.primitives.size() == 1 || content.parts == stored.file.content.parts);
+    std::vector<GltfPrimitive> wanted;
+    std::vector<char> same_vertices(stored.primitives.size(), 0);
+    GltfOffsets offsets;
+    for (std::size_t p = 0; p < stored.primitives.size(); ++p) {
+        std::optional<GltfPrimitive> kept;
+        if (same_surface)
+            kept = in_same_vertices(stored.primitives[p], offsets, stored.file.vertex_from_file, content);
+        same_vertices[p] = kept.has_value();
+        wanted.push_back(kept ? std::move(*kept) : in_new_vertices(parts[p], content));
+        offsets.vertex += static_cast<std::size_t>(stored.primitives[p].positions.rows());
+        offsets.triangle += static_cast<Index>(stored.primitives[p].triangles.rows());
+    }
+    require_skeleton(stored, wanted);
+    const std::vector<std::size_t> counts = morph_counts(stored, content, wanted);
+    name_morphs(stored, content, counts);
+    for (std::size_t p = 0; p < wanted.size(); ++p) {
+        wanted[p].displacements.resize(counts[stored.primitives[p].mesh]);
+        if (wanted[p].triangles.rows() > 0)
+            store_primitive(stored.document, stored.primitives[p], wanted[p], same_vertices[p] != 0);
+    }
+    remove_empty(stored, wanted);
+}
+
+}  // namespace
+
+void write_gltf(const AttributedMesh& content, const std::filesystem::path& file) {
+    const bool binary = lower_extension(file) != ".gltf";
+    try {
+        require_consistent(content);
+        Stored stored = stored_content(content);
+        store(stored, content);
+        write_file(gltf_bytes(std::move(stored.document), binary), file);
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
+    } catch (const GltfJson::exception& error) {
+        throw IoError(fmt::format("{}: not written: the JSON of {} is not glTF ({})", file.string(),
+                                  content.document ? content.document->name : "it", error.what()));
+    }
+}
+
+}  // namespace counterpart

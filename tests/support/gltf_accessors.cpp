@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/gltf_accessors.hpp"
+
+#include "../../src/io/gltf_document.hpp"
+
+namespace counterpart::test {
+namespace {
+
+std::string view_bytes(const GltfDocument& document, const GltfJson& place) {
+    if (!place.contains("bufferView")) return "";
+    const GltfJson& view = document.json["bufferViews"].at(place["bufferView"].get<std::size_t>());
+    const std::string& bytes = document.buffers.at(view.at("buffer").get<std::size_t>());
+    const auto start = view.value("byteOffset", std::size_t{0});
+    return start > bytes.size() ? "" : bytes.substr(start, view.at("byteLength").get<std::size_t>());
+}
+
+}  // namespace
+
+std::string accessor_difference(const std::filesystem::path& before, const std::filesystem::path& after) {
+    const GltfDocument a = load_gltf(before), b = load_gltf(after);
+    if (a.count("accessors") != b.count("accessors")) return "the number of accessors";
+    for (const char* list : {"meshes", "skins", "nodes", "animations", "materials", "textures", "scenes"})
+        if (a.count(list) > 0 && a.json[list] != b.json[list]) return list;
+    for (std::size_t i = 0; i < a.count("accessors"); ++i) {
+        const GltfJson& one = a.json["accessors"][i];
+        const GltfJson& other = b.json["accessors"][i];
+        if (one != other) return "accessor " + std::to_string(i) + ": " + one.dump() + " " + other.dump();
+        if (view_bytes(a, one) != view_bytes(b, other)) return "the bytes of accessor " + std::to_string(i);
+        if (!one.contains("sparse")) continue;
+        for (const char* part : {"indices", "values"})
+            if (view_bytes(a, one["sparse"][part]) != view_bytes(b, other["sparse"][part]))
+                return "the sparse bytes of accessor " + std::to_string(i);
+    }
+    return "";
+}
+
+}  // namespace counterpart::test
