@@ -82,7 +82,8 @@ void add_distances(CLI::App& program) {
     auto command = std::make_shared<DistancesCommand>();
     CLI::App* distances =
         program.add_subcommand("distances", "Write geodesic distances between vertices of MESH");
-    distances->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
+    distances->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
     distances
         ->add_option("-o,--output", command->output,
                      "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")

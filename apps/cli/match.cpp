@@ -63,7 +63,8 @@ void run(const MatchCommand& command) {
 void add_match(CLI::App& program) {
     auto command = std::make_shared<MatchCommand>();
     CLI::App* match = program.add_subcommand("match", "Find the vertex of TARGET for every vertex of SOURCE");
-    match->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
+    match->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
     match->add_option("TARGET", command->target, "Mesh file")->required();
     match
         ->add_option("-o,--output", command->output,

@@ -125,7 +125,8 @@ void run(RenderCommand& command) {
 }
 
 void add_inputs(CLI::App& render, RenderCommand& command) {
-    render.add_option("SOURCE", command.source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
+    render.add_option("SOURCE", command.source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
     render.add_option("TARGET", command.target, "Mesh file");
     render.add_option("-o,--output", command.output, "Picture: .png; .svg too for curves")->required();
     render.add_option("--map", command.maps, "Map file: line i = target vertex of source vertex i, from 0")

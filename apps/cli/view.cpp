@@ -120,7 +120,8 @@ void add_view(CLI::App& program) {
     auto command = std::make_shared<ViewCommand>();
     CLI::App* view =
         program.add_subcommand("view", "Write a web page that shows two meshes and the maps between them");
-    view->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
+    view->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
     view->add_option("TARGET", command->target, "Mesh file")->required();
     view->add_option("--map", command->maps,
                      "Map file: line i = target vertex of source vertex i, from 0. Several to compare them")

@@ -112,7 +112,8 @@ void merge_buffers(GltfDocument& document) {
     while (buffers.size() > 1) buffers.erase(buffers.size() - 1);
     buffers[0].erase("uri");
     buffers[0]["byteLength"] = all.size();
-    document.buffers.assign(1, std::move(all));
+    document.buffers.resize(1);
+    document.buffers[0] = std::move(all);
 }
 
 std::string glb_bytes(const GltfDocument& document) {

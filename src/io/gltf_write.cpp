@@ -40,7 +40,6 @@ void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) 
 void require_consistent(const AttributedMesh& content) {
     require_valid(content.mesh);
     const Index n = content.mesh.n_vertices(), n_triangles = content.mesh.n_triangles();
-    if (n_triangles == 0) throw InvalidInput("a mesh without triangles cannot be written as glTF");
     require_corners(content.normals, n_triangles, "normals");
     for (const CornerAttribute& set : content.texture_coordinates)
         require_corners(set, n_triangles, "texture coordinates");

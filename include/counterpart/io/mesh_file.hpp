@@ -24,8 +24,8 @@ struct MeshFile {
 MeshFile read_mesh(const std::filesystem::path& file);
 
 /// Writes OFF, OBJ, PLY (binary little-endian), STL (binary) or glTF, chosen by the extension. Text formats
-/// hold the shortest decimals that read back to the same doubles; PLY holds doubles; STL and glTF hold floats.
-/// The file appears whole or not at all. Throws IoError.
+/// hold the shortest decimals that read back to the same doubles; PLY holds doubles; STL and glTF hold
+/// floats. The file appears whole or not at all. Throws IoError.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 }  // namespace counterpart

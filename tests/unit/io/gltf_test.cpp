@@ -285,7 +285,7 @@ TEST(WriteGltf, SaysWhatIsWrongAndWritesNothing) {
                  }),
          "the morph target 'smile' has 3 rows where the mesh has 4 vertices"},
         {changed(plain, [&](AttributedMesh& m) { m.skin = textured.skin; }), "no skeleton"},
-        {changed(plain, [](AttributedMesh& m) { m.mesh.triangles.resize(0, 3); }), "without triangles"},
+        {changed(plain, [](AttributedMesh& m) { m.mesh.triangles.resize(0, 3); }), "no faces"},
         {changed(plain, [](AttributedMesh& m) { m.parts = {0}; }), "1 part labels for 2 triangles"},
         {changed(plain,
                  [](AttributedMesh& m) {
