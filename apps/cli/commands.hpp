@@ -21,6 +21,7 @@ void add_project(CLI::App& program);
 void add_view(CLI::App& program);
 void add_reorder(CLI::App& program);
 void add_spectrum(CLI::App& program);
+void add_transfer(CLI::App& program);
 void add_render(CLI::App& program);
 
 }  // namespace counterpart::cli

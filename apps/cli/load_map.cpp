@@ -21,6 +21,16 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMes
     }
     try {
         std::variant<VertexMap, SurfaceMap> map = read_map(file);
+        const Index size = std::visit([](const auto& kind) { return kind.source_size(); }, map);
+        if (size != source.n_vertices()) {
+            throw InvalidInput(fmt::format(
+                "the map has {} entries where {} are expected, one for each vertex of the mesh that it leads "
+                "from{}",
+                size, source.n_vertices(),
+                size == target.n_vertices()
+                    ? "; the mesh that it leads to has as many: it seems to be the map the other way round"
+                    : ""));
+        }
         if (auto* points = std::get_if<SurfaceMap>(&map)) {
             points->target_triangles = target.n_triangles();
             require_valid(*points, source.n_vertices(), target.n_triangles());

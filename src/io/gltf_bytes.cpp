@@ -77,20 +77,6 @@ std::size_t used_size(const GltfDocument& document, std::size_t buffer) {
     return std::min(static_cast<std::size_t>(size), document.buffers[buffer].size());
 }
 
-// Files that the new file would otherwise have to find in a folder that is not its own.
-void take_images_in(GltfDocument& document) {
-    for (std::size_t i = 0; i < document.count("images"); ++i) {
-        GltfJson& image = document.json["images"][i];
-        if (!image.is_object() || !image.contains("uri")) continue;
-        const auto uri = image["uri"].get<std::string>();
-        if (uri.starts_with("data:") || uri.find("://") != uri.npos) continue;
-        const std::string bytes = load_uri(document, uri, fmt::format("the texture image {}", i));
-        if (!image.contains("mimeType")) image["mimeType"] = mime_type(uri);
-        image["bufferView"] = append_view(document, bytes);
-        image.erase("uri");
-    }
-}
-
 // GLB has room for one buffer.
 void merge_buffers(GltfDocument& document) {
     if (document.buffers.empty()) return;
@@ -174,6 +160,19 @@ std::int64_t append_accessor(GltfDocument& document, const Matrix& values, GltfC
     GltfJson& accessors = document.json["accessors"];
     accessors.push_back(std::move(accessor));
     return static_cast<std::int64_t>(accessors.size()) - 1;
+}
+
+void take_images_in(GltfDocument& document) {
+    for (std::size_t i = 0; i < document.count("images"); ++i) {
+        GltfJson& image = document.json["images"][i];
+        if (!image.is_object() || !image.contains("uri")) continue;
+        const auto uri = image["uri"].get<std::string>();
+        if (uri.starts_with("data:") || uri.find("://") != uri.npos) continue;
+        const std::string bytes = load_uri(document, uri, fmt::format("the texture image {}", i));
+        if (!image.contains("mimeType")) image["mimeType"] = mime_type(uri);
+        image["bufferView"] = append_view(document, bytes);
+        image.erase("uri");
+    }
 }
 
 std::string gltf_bytes(GltfDocument document, bool binary) {

@@ -60,6 +60,9 @@ std::int64_t append_accessor(GltfDocument& document, const Matrix& values, GltfC
 /// Appends a buffer view of the first buffer and returns its number.
 std::int64_t append_view(GltfDocument& document, std::string_view bytes);
 
+/// Images that lie beside the document become part of it. Throws IoError for one that is missing.
+void take_images_in(GltfDocument& document);
+
 /// The bytes of the file: one GLB, or one JSON text with its buffer inside. Images that lie beside the
 /// document are taken in. Throws IoError, for an image that is missing too.
 std::string gltf_bytes(GltfDocument document, bool binary);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
 #include "numerics/rotation.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/transfer/local_linear_maps.hpp>
 #include <counterpart/transfer/normals.hpp>
 
 #include <Eigen/Geometry>
@@ -24,23 +25,45 @@ Points geometric_normals(const TriangleMesh& mesh, const Triangles& corners, Eig
     return sums;
 }
 
-// How the surface turns at the vertex of each row. Where a normal leans, the two geometric normals alone do
-// not tell where to.
+// The rotation that best takes the edges around each target vertex, and its normal, from where they are on
+// the source; none where that is not known.
+std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, const TriangleMesh& source,
+                                               const TriangleMesh& target) {
+    const Points images = image_positions(map, source);
+    const Matrix normals = pull_back(map, source, vertex_normals(source));
+    const Points target_normals = vertex_normals(target);
+    const Adjacency adjacency(target);
+    std::vector<Eigen::Matrix3d> turns(map.image.size(), Eigen::Matrix3d::Identity());
+    parallel_for(turns.size(), 256, [&](std::size_t i) {
+        const auto v = static_cast<Index>(i);
+        if (!map[v].matched()) return;
+        Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+        for (const Index w : adjacency.neighbors(v)) {
+            if (!map[w].matched()) continue;
+            covariance += (target.vertices.row(w) - target.vertices.row(v)).transpose() *
+                          (images.row(w) - images.row(v));
+        }
+        const double edges = covariance.norm();
+        covariance += edges * target_normals.row(v).transpose() * normals.row(v);
+        const FittedRotation fit = fit_rotation(covariance);
+        if (fit.rank >= 2) turns[i] = fit.rotation;
+    });
+    return turns;
+}
+
+// The same for the vertex of each row. Where a normal leans, the two geometric normals alone do not tell
+// where to.
 std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, const TriangleMesh& source,
                                            const TriangleMesh& target, const CornerAttribute& carried) {
+    const std::vector<Eigen::Matrix3d> of_vertices = turns_of_vertices(map, source, target);
     std::vector<Eigen::Matrix3d> turns(static_cast<std::size_t>(carried.values.rows()),
                                        Eigen::Matrix3d::Identity());
-    constexpr double leaning = 1e-3;
-    if (((carried.values.leftCols<3>() - carried.values.rightCols<3>()).rowwise().norm().array() < leaning)
-            .all())
-        return turns;
-    const std::vector<Eigen::Matrix3d> maps = local_linear_maps(map, source, target);
     for (Index t = 0; t < target.n_triangles(); ++t) {
         for (int c = 0; c < 3; ++c) {
             const Index row = carried.corners(t, c);
-            if (row < 0) continue;
-            turns[static_cast<std::size_t>(row)] =
-                fit_rotation(maps[static_cast<std::size_t>(target.triangles(t, c))]).rotation;
+            if (row >= 0)
+                turns[static_cast<std::size_t>(row)] =
+                    of_vertices[static_cast<std::size_t>(target.triangles(t, c))];
         }
     }
     return turns;
@@ -60,8 +83,9 @@ CarriedCorners carry_normals(const SurfaceMap& source_from_target, const Triangl
     CarriedCorners carried = carry_corners(source_from_target, source, target, both, {}, options);
     const Matrix values = carried.attribute.values;
     const Points surface = geometric_normals(target, carried.attribute.corners, values.rows());
-    const std::vector<Eigen::Matrix3d> turns =
-        turns_of_rows(source_from_target, source, target, carried.attribute);
+    const std::vector<Eigen::Matrix3d> turns = with_threads(options.n_threads, [&] {
+        return turns_of_rows(source_from_target, source, target, carried.attribute);
+    });
     carried.attribute.values.resize(values.rows(), 3);
     for (Eigen::Index row = 0; row < values.rows(); ++row) {
         const Eigen::Vector3d given = values.row(row).head<3>(), from = values.row(row).tail<3>();

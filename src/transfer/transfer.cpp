@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
 #include <counterpart/transfer/corner_attribute.hpp>
 #include <counterpart/transfer/morph_targets.hpp>
 #include <counterpart/transfer/normals.hpp>
@@ -19,7 +20,14 @@ struct Transfer {
     TransferResult result;
     std::vector<Index> source_triangles;  // of the target's triangles, once known
 
-    CornerAttribute keep(const std::string& name, CarriedCorners&& carried) {
+    template <class Carry>
+    CornerAttribute corners(const std::string& name, const Carry& carry) {
+        CarriedCorners carried;
+        try {
+            carried = carry();
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(name + ": " + error.what());
+        }
         result.attributes.push_back({.name = name,
                                      .coverage = carried.coverage,
                                      .seam_triangles = carried.seam_triangles,
@@ -32,8 +40,10 @@ struct Transfer {
         std::vector<CornerAttribute> carried;
         for (const CornerAttribute& set : all) {
             const std::string numbered = all.size() == 1 ? name : fmt::format("{} {}", name, carried.size());
-            carried.push_back(keep(numbered, carry_corners(map, source.mesh, result.content.mesh, set,
-                                                           source.parts, {.n_threads = options.n_threads})));
+            carried.push_back(corners(numbered, [&] {
+                return carry_corners(map, source.mesh, result.content.mesh, set, source.parts,
+                                     {.n_threads = options.n_threads});
+            }));
         }
         return carried;
     }
@@ -52,17 +62,17 @@ struct Transfer {
             {.name = fmt::format("{} morph targets", source.morphs.size()), .coverage = carried.coverage});
         result.content.morphs = std::move(carried.morphs);
     }
-    void document() {
-        result.content.document = source.document;
-        result.content.parts.clear();
-        if (source.parts.empty()) return;
+    // For each target triangle the source's part that it lies on.
+    std::vector<Index> parts() {
+        if (source.parts.empty()) return {};
         const CornerAttribute nothing{{}, Triangles::Constant(source.mesh.n_triangles(), 3, -1)};
         if (source_triangles.empty())
             source_triangles = carry_corners(map, source.mesh, result.content.mesh, nothing, source.parts,
                                              {.n_threads = options.n_threads})
                                    .source_from_target;
-        for (const Index t : source_triangles)
-            result.content.parts.push_back(source.parts[static_cast<std::size_t>(t)]);
+        std::vector<Index> parts;
+        for (const Index t : source_triangles) parts.push_back(source.parts[static_cast<std::size_t>(t)]);
+        return parts;
     }
 };
 
@@ -70,20 +80,23 @@ struct Transfer {
 
 TransferResult transfer_attributes(const SurfaceMap& source_from_target, const AttributedMesh& source,
                                    const AttributedMesh& target, const TransferOptions& options) {
-    Transfer transfer{source_from_target, source, options, {target, {}}, {}};
+    Transfer transfer{source_from_target, source, options, {target, {}, {}}, {}};
     AttributedMesh& content = transfer.result.content;
     if (options.texture_coordinates && !source.texture_coordinates.empty())
         content.texture_coordinates = transfer.sets("texture coordinates", source.texture_coordinates);
     if (options.colors && !source.colors.empty()) content.colors = transfer.sets("colours", source.colors);
-    const bool has_skin = source.skin.weights.size() > 0;
-    if (options.skin && has_skin) transfer.skin();
+    const bool takes_skin = options.skin && source.skin.weights.size() > 0;
+    if (takes_skin) transfer.skin();
     if (options.morphs && !source.morphs.empty()) transfer.morphs();
-    const bool has_material = source.document != nullptr || !source.parts.empty();
-    if ((options.material && has_material) || (options.skin && has_skin)) transfer.document();
+    if (takes_skin || options.material) transfer.result.source_parts = transfer.parts();
+    if (takes_skin) content.document = source.document;
+    if (takes_skin || (options.material && target.document == nullptr && source.document == nullptr))
+        content.parts = transfer.result.source_parts;
     if (options.normals && source.normals.values.rows() > 0) {
-        content.normals =
-            transfer.keep("normals", carry_normals(source_from_target, source.mesh, content.mesh,
-                                                   source.normals, {.n_threads = options.n_threads}));
+        content.normals = transfer.corners("normals", [&] {
+            return carry_normals(source_from_target, source.mesh, content.mesh, source.normals,
+                                 {.n_threads = options.n_threads});
+        });
     }
     return std::move(transfer.result);
 }

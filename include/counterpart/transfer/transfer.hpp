@@ -18,7 +18,7 @@ struct TransferOptions {
     bool normals = true;
     bool skin = true;
     bool morphs = true;
-    bool material = true;    ///< what each triangle is made of
+    bool material = true;    ///< what each triangle is made of: see TransferResult::source_parts
     int max_influences = 0;  ///< joints per vertex at most; 0 = as the source, see CarrySkinOptions
     int n_threads = 0;       ///< 0 = all; the result does not depend on it
 };
@@ -34,13 +34,16 @@ struct TransferredAttribute {
 struct TransferResult {
     AttributedMesh content;  ///< the target's mesh with the source's attributes instead of its own
     std::vector<TransferredAttribute> attributes;
+    /// With skin or material: for each target triangle the part of the source that it lies on.
+    std::vector<Index> source_parts;
 };
 
 /// Carries the source's attributes to the target: see carry_corners, carry_normals, carry_skin and
-/// carry_morphs. Skeleton and materials live in the file that the source is from: with skin or material the
-/// target takes over `document`, unchanged, and for each triangle the part of the source it lies on. The
-/// skeleton is right where the target has the source's bind pose and place. Throws InvalidInput if map or
-/// attributes do not fit the meshes.
+/// carry_morphs. A skeleton lives in the file that the source is from: with the skin the target takes over
+/// the source's `document`, unchanged, and its `parts`; the skeleton is right where the target has the
+/// source's bind pose and place. Otherwise the target keeps its own, and io's with_materials brings the
+/// materials into it. Without any documents the source's parts, being labels, become the target's. Throws
+/// InvalidInput if map or attributes do not fit the meshes.
 TransferResult transfer_attributes(const SurfaceMap& source_from_target, const AttributedMesh& source,
                                    const AttributedMesh& target, const TransferOptions& options = {});
 

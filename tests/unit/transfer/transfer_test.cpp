@@ -1,10 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/gltf_document.hpp"
+#include "support/expect_error.hpp"
+
+#include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/transfer/normals.hpp>
 #include <counterpart/transfer/transfer.hpp>
+
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -91,6 +97,30 @@ TEST(TransferAttributes, WhatIsNotWantedStays) {
     TransferOptions only_material = none;
     only_material.material = true;
     EXPECT_EQ(transfer_attributes(map, source, target, only_material).content.parts, source.parts);
+}
+
+TEST(TransferAttributes, TheSkinBringsItsDocument) {
+    AttributedMesh source = dressed_body(), target = dressed_body();
+    target.parts.assign(source.parts.size(), 0);
+    source.document = std::make_shared<GltfDocument>();
+    target.document = std::make_shared<GltfDocument>();
+    const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
+    const TransferResult all = transfer_attributes(map, source, target);
+    EXPECT_EQ(all.content.document, source.document);
+    EXPECT_EQ(all.content.parts, source.parts);
+    const TransferResult without = transfer_attributes(map, source, target, {.skin = false});
+    EXPECT_EQ(without.content.document, target.document);
+    EXPECT_EQ(without.content.parts, target.parts);
+    EXPECT_EQ(without.source_parts, source.parts);
+}
+
+TEST(TransferAttributes, ErrorsNameTheAttribute) {
+    AttributedMesh source = dressed_body();
+    source.texture_coordinates[1].values(3, 0) = std::numeric_limits<double>::infinity();
+    const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
+    test::expect_error<InvalidInput>(
+        [&] { transfer_attributes(map, source, source); },
+        "texture coordinates 1: the attribute holds a number that is not finite");
 }
 
 TEST(CarryNormals, StandToTheSurfaceAsTheyDid) {

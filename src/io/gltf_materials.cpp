@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/gltf_primitives.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/gltf_materials.hpp>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using Element = std::pair<std::string, std::int64_t>;  // a top-level list and a number in it
+
+// Copies elements from one document to another, each once, with all that they refer to.
+class Import {
+  public:
+    Import(const GltfDocument& from, GltfDocument& to) : from_(from), to_(to) { take_images_in(from_); }
+
+    std::int64_t material(std::int64_t number) {
+        return copied("materials", number, [this](GltfJson& json) { follow_textures(json); });
+    }
+    // What the copies need may not be known in the new document.
+    void extensions() {
+        for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+            if (!from_.json.contains(list)) continue;
+            for (const GltfJson& name : from_.json[list]) {
+                GltfJson& known = to_.json[list];
+                if (name.get<std::string>().find("material") == std::string::npos &&
+                    name.get<std::string>().find("texture") == std::string::npos)
+                    continue;
+                if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+            }
+            if (to_.json[list].is_null()) to_.json.erase(list);
+        }
+    }
+
+  private:
+    template <class Follow>
+    std::int64_t copied(const char* list, std::int64_t number, const Follow& follow) {
+        const auto known = copies_.find({list, number});
+        if (known != copies_.end()) return known->second;
+        GltfJson json = from_.element(list, number);
+        follow(json);
+        GltfJson& elements = to_.json[list];
+        elements.push_back(std::move(json));
+        const auto place = static_cast<std::int64_t>(elements.size()) - 1;
+        copies_[{list, number}] = place;
+        return place;
+    }
+    template <class Follow>
+    void redirect(GltfJson& json, const char* key, const char* list, const Follow& follow) {
+        if (json.contains(key)) json[key] = copied(list, number_at(from_, json, key, 0), follow);
+    }
+    // Whatever ends in "Texture" refers to one, in extensions too.
+    void follow_textures(GltfJson& json) {
+        if (!json.is_structured()) return;
+        for (auto entry = json.begin(); entry != json.end(); ++entry) {
+            if (json.is_object() && entry.key().ends_with("Texture") && entry->is_object())
+                redirect(*entry, "index", "textures", [this](GltfJson& texture) { follow_images(texture); });
+            follow_textures(*entry);
+        }
+    }
+    void follow_images(GltfJson& texture) {
+        const auto image = [this](GltfJson& json) {
+            if (json.contains("bufferView"))
+                json["bufferView"] = append_view(to_, bytes(number_at(from_, json, "bufferView", 0)));
+        };
+        redirect(texture, "sampler", "samplers", [](GltfJson&) {});
+        redirect(texture, "source", "images", image);
+        if (!texture.contains("extensions")) return;
+        for (GltfJson& extension : texture["extensions"])
+            if (extension.is_object()) redirect(extension, "source", "images", image);
+    }
+    std::string bytes(std::int64_t view_number) const {
+        const GltfJson& view = from_.element("bufferViews", view_number);
+        const auto buffer = static_cast<std::size_t>(number_at(from_, view, "buffer", 0));
+        const auto start = static_cast<std::size_t>(number_at(from_, view, "byteOffset", 0));
+        const auto length = static_cast<std::size_t>(number_at(from_, view, "byteLength", 0));
+        if (buffer >= from_.buffers.size() || start > from_.buffers[buffer].size() ||
+            length > from_.buffers[buffer].size() - start)
+            from_.fail(fmt::format("buffer view {} reaches beyond its buffer", view_number));
+        return from_.buffers[buffer].substr(start, length);
+    }
+
+    GltfDocument from_;
+    GltfDocument& to_;
+    std::map<Element, std::int64_t> copies_;
+};
+
+GltfJson& json_of(GltfDocument& document, const GltfPrimitive& primitive) {
+    return document.json["meshes"][primitive.mesh]["primitives"][primitive.number];
+}
+
+void set_material(GltfJson& primitive, std::int64_t material) {
+    if (material < 0)
+        primitive.erase("material");
+    else
+        primitive["material"] = material;
+    if (!primitive.contains("extensions")) return;
+    primitive["extensions"].erase("KHR_materials_variants");
+    if (primitive["extensions"].empty()) primitive.erase("extensions");
+}
+
+std::shared_ptr<const GltfDocument> without_skeleton(const GltfDocument& document) {
+    auto result = std::make_shared<GltfDocument>(document);
+    for (const char* list : {"skins", "animations"}) result->json.erase(list);
+    for (std::size_t i = 0; i < result->count("nodes"); ++i) result->json["nodes"][i].erase("skin");
+    return result;
+}
+
+std::shared_ptr<const GltfDocument> without_materials(const GltfDocument& document) {
+    auto result = std::make_shared<GltfDocument>(document);
+    std::vector<std::string> ignored;
+    for (const GltfPrimitive& primitive : read_primitives(document, ignored))
+        set_material(json_of(*result, primitive), -1);
+    return result;
+}
+
+// The new materials in the document that is left, and for each triangle its new part.
+AttributedMesh in_own_document(const AttributedMesh& content, const GltfDocument& source,
+                               const std::vector<Index>& source_parts) {
+    auto document = std::make_shared<GltfDocument>(*content.document);
+    std::vector<std::string> ignored;
+    const std::vector<GltfPrimitive> own = read_primitives(*document, ignored);
+    const std::vector<GltfPrimitive> given = read_primitives(source, ignored);
+    Import import(source, *document);
+    import.extensions();
+
+    using Place = std::pair<std::size_t, std::size_t>;  // mesh, primitive
+    std::map<std::pair<Index, Index>, Place> place_of;  // of an own part with a part of the source
+    std::vector<char> taken(own.size(), 0);
+    std::vector<Place> places;  // of the triangles
+    for (std::size_t t = 0; t < source_parts.size(); ++t) {
+        const Index part = content.parts.empty() ? 0 : content.parts[t], from = source_parts[t];
+        if (part < 0 || part >= static_cast<Index>(own.size()) || from < 0 ||
+            from >= static_cast<Index>(given.size()))
+            throw InvalidInput(fmt::format("triangle {} names a part that its document has not", t));
+        const GltfPrimitive& primitive = own[static_cast<std::size_t>(part)];
+        const auto [known, is_new] =
+            place_of.try_emplace({part, from}, Place{primitive.mesh, primitive.number});
+        if (is_new) {
+            const GltfPrimitive& wanted = given[static_cast<std::size_t>(from)];
+            const std::int64_t number = number_at(
+                source, source.json["meshes"][wanted.mesh]["primitives"][wanted.number], "material", -1);
+            GltfJson json = json_of(*document, primitive);
+            set_material(json, number < 0 ? -1 : import.material(number));
+            if (std::exchange(taken[static_cast<std::size_t>(part)], char{1}) != 0) {
+                GltfJson& primitives = document->json["meshes"][primitive.mesh]["primitives"];
+                known->second.second = primitives.size();
+                primitives.push_back(std::move(json));
+            } else {
+                json_of(*document, primitive) = std::move(json);
+            }
+        }
+        places.push_back(known->second);
+    }
+    std::map<Place, Index> number;
+    for (const GltfPrimitive& primitive : read_primitives(*document, ignored))
+        number.emplace(Place{primitive.mesh, primitive.number}, static_cast<Index>(number.size()));
+    AttributedMesh result = content;
+    result.parts.clear();
+    for (const Place& place : places) result.parts.push_back(number.at(place));
+    result.document = std::move(document);
+    return result;
+}
+
+}  // namespace
+
+bool has_materials(const AttributedMesh& content) {
+    if (content.document == nullptr || !content.document->json.contains("meshes")) return false;
+    for (const GltfJson& mesh : content.document->json["meshes"])
+        for (const GltfJson& primitive : mesh.at("primitives"))
+            if (primitive.contains("material")) return true;
+    return false;
+}
+
+AttributedMesh with_materials(const AttributedMesh& content, const AttributedMesh& source,
+                              const std::vector<Index>& source_parts) {
+    AttributedMesh result = content;
+    if (source.document == nullptr) {
+        if (content.document != nullptr) result.document = without_materials(*content.document);
+        return result;
+    }
+    if (static_cast<Index>(source_parts.size()) != content.mesh.n_triangles() ||
+        (!content.parts.empty() && content.parts.size() != source_parts.size()))
+        throw InvalidInput(fmt::format("there are {} parts of the source for {} triangles",
+                                       source_parts.size(), content.mesh.n_triangles()));
+    if (content.document != nullptr) return in_own_document(content, *source.document, source_parts);
+    result.document = without_skeleton(*source.document);
+    result.parts = source_parts;
+    return result;
+}
+
+}  // namespace counterpart
