@@ -32,9 +32,10 @@ struct GeodesicFrontiersResult {
 /// Correspondence by frontiers for meshes of any connectivity, the road that Sahillioglu and Yemez name as
 /// future work: frontiers are bands of equal geodesic distance from the source vertex (edges and shortcuts),
 /// aligned and paired within each as published. The source vertices are the pair of critical points from
-/// which the share of the area within a distance grows most alike. Distances count relative to the farthest
-/// vertex. Poses must be similar: a band is moved and bent, not turned. Throws InvalidInput for invalid
-/// meshes or options. About O(V^1.5) plus TPS-RPM on each band, cubic in its size.
+/// which the share of the area within a distance grows most alike and, of several such pairs, whose bands lie
+/// closest. Distances count relative to the farthest vertex. Poses must be similar: a band is moved and bent,
+/// not turned. Throws InvalidInput for invalid meshes or options. About O(V^1.5) plus TPS-RPM on each band,
+/// cubic in its size.
 GeodesicFrontiersResult match_geodesic_frontiers(const TriangleMesh& source, const TriangleMesh& target,
                                                  const GeodesicFrontiersOptions& options = {});
 

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace counterpart {
 namespace {
@@ -92,13 +94,20 @@ struct Bands {
     Frontiers frontiers;
 };
 
-// Turned by what brings the bands' centres together, if that lies closer than the given positions do.
-void turn_if_better(Bands& ours, const Bands& theirs, Index count) {
+// How far apart the bands' centres are as they lie, and how to bring them together if that is clearly closer.
+struct CentersFit {
+    double residual = 0;
+    std::optional<Similarity> turn;
+};
+
+CentersFit fit_centers(const Bands& ours, const Bands& theirs, Index count) {
+    constexpr double clearly = 0.5;
     const Points x = ours.centers(count), y = theirs.centers(count);
     const Similarity turn = kabsch(x, y);
-    constexpr double clearly = 0.5;
-    if ((turn(x) - y).squaredNorm() < clearly * (align_centroids(x, y)(x) - y).squaredNorm())
-        ours.points = turn(ours.points);
+    const double as_they_lie = (align_centroids(x, y)(x) - y).squaredNorm(),
+                 turned = (turn(x) - y).squaredNorm() / clearly;
+    if (turned < as_they_lie) return {turned, turn};
+    return {as_they_lie, std::nullopt};
 }
 
 void require_usable(const TriangleMesh& source, const TriangleMesh& target,
@@ -115,45 +124,56 @@ void require_usable(const TriangleMesh& source, const TriangleMesh& target,
         throw InvalidInput("n_bands must be 0 to 1000000, deformation_threshold 0 or more");
 }
 
-// The two views that are most alike.
 struct Start {
-    View source, target;
-    double difference = 0;
+    double profile_difference = 0;
+    Bands source, target;
+    CentersFit fit;
+    Index source_vertex = -1, target_vertex = -1;
 };
 
-Start most_alike(const std::vector<View>& sources, const std::vector<View>& targets) {
-    std::size_t best_a = 0, best_b = 0;
-    for (std::size_t a = 0; a < sources.size(); ++a)
-        for (std::size_t b = 0; b < targets.size(); ++b)
-            if (difference(sources[a].profile, targets[b].profile) <
-                difference(sources[best_a].profile, targets[best_b].profile))
-                best_a = a, best_b = b;
-    return {sources[best_a], targets[best_b], difference(sources[best_a].profile, targets[best_b].profile)};
+// Of the views that are about as much alike as the two that are most, as from the left and the right hand,
+// those whose bands lie closest.
+Start choose_start(const Side& a, const Side& b, const GeodesicFrontiersOptions& options, Index n_bands,
+                   double unit) {
+    constexpr double about = 0.02;
+    const std::vector<View> sources = a.views(options.source), targets = b.views(options.target_source);
+    double least = std::numeric_limits<double>::infinity();
+    for (const View& x : sources)
+        for (const View& y : targets) least = std::min(least, difference(x.profile, y.profile));
+    std::optional<Start> best;
+    for (const View& x : sources) {
+        for (const View& y : targets) {
+            const double unlike = difference(x.profile, y.profile);
+            if (unlike > least + about) continue;
+            Start start{unlike,  Bands(a, x, n_bands, unit), Bands(b, y, n_bands, unit), {}, x.source,
+                        y.source};
+            start.fit = fit_centers(start.source, start.target, n_bands);
+            if (!best || start.fit.residual < best->fit.residual) best = std::move(start);
+        }
+    }
+    return std::move(*best);
 }
 
 GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& target,
                               const GeodesicFrontiersOptions& options) {
     Stopwatch watch;
     const Side a(source), b(target);
-    const Start start = most_alike(a.views(options.source), b.views(options.target_source));
-    GeodesicFrontiersResult result;
-    result.source = start.source.source;
-    result.target_source = start.target.source;
-    result.profile_difference = start.difference;
-    watch.lap("sources");
-
     const Index fewer = std::min(source.n_vertices(), target.n_vertices());
     const Index n = options.n_bands > 0
                         ? options.n_bands
                         : std::max<Index>(1, static_cast<Index>(std::lround(std::sqrt(fewer))));
-    result.n_bands = n;
     // The unit is the mean edge of both at unit area.
     const double unit = (mean_edge_length(source) / std::sqrt(surface_area(source)) +
                          mean_edge_length(target) / std::sqrt(surface_area(target))) /
                         2;
-    Bands ours(a, start.source, n, unit);
-    const Bands theirs(b, start.target, n, unit);
-    turn_if_better(ours, theirs, n);
+    Start start = choose_start(a, b, options, n, unit);
+    Bands &ours = start.source, &theirs = start.target;
+    if (start.fit.turn) ours.points = (*start.fit.turn)(ours.points);
+    GeodesicFrontiersResult result;
+    result.source = start.source_vertex;
+    result.target_source = start.target_vertex;
+    result.profile_difference = start.profile_difference;
+    result.n_bands = n;
     watch.lap("frontiers");
     result.target_from_source = {std::vector<Index>(at(source.n_vertices()), VertexMap::unmatched),
                                  target.n_vertices()};
