@@ -9,6 +9,7 @@
 // require_valid that need no line number to read_mesh.
 #pragma once
 
+#include <counterpart/io/attributed_mesh_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
 #include <string>
@@ -25,6 +26,12 @@ MeshFile read_off(std::string_view bytes, const std::string& name);
 MeshFile read_obj(std::string_view bytes, const std::string& name);
 MeshFile read_ply(std::string_view bytes, const std::string& name);
 MeshFile read_stl(std::string_view bytes, const std::string& name);
+
+/// Those that know attributes.
+AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string& name);
+AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string& name);
+std::string obj_bytes(const AttributedMesh& content);
+std::string ply_bytes(const AttributedMesh& content);
 
 std::string off_bytes(const TriangleMesh& mesh);
 std::string obj_bytes(const TriangleMesh& mesh);

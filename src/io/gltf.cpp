@@ -43,6 +43,15 @@ std::vector<std::string> morph_names(const GltfDocument& document, std::size_t m
     return names;
 }
 
+std::string material_name(const GltfDocument& document, const GltfPrimitive& primitive) {
+    const GltfJson& mesh = document.element("meshes", static_cast<std::int64_t>(primitive.mesh));
+    const GltfJson& json = mesh.at("primitives").at(primitive.number);
+    if (!json.contains("material")) return "";
+    const GltfJson& material = document.element("materials", number_at(document, json, "material", 0));
+    return material.contains("name") && material["name"].is_string() ? material["name"].get<std::string>()
+                                                                     : "";
+}
+
 // One kind of corner values of all primitives; `values_of` gives a primitive's, or null.
 template <class ValuesOf>
 CornerAttribute joined_corners(const std::vector<GltfPrimitive>& primitives, Index n_triangles,
@@ -151,6 +160,8 @@ GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPri
     for (std::size_t part = 0; part < primitives.size(); ++part)
         content.parts.insert(content.parts.end(), static_cast<std::size_t>(primitives[part].triangles.rows()),
                              static_cast<Index>(part));
+    for (const GltfPrimitive& primitive : primitives)
+        content.part_names.push_back(material_name(document, primitive));
     return file;
 }
 

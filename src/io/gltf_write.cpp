@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/corner_rows.hpp"
 #include "io/formats.hpp"
 #include "io/gltf_split.hpp"
 #include "io/gltf_store.hpp"
@@ -22,39 +23,14 @@ struct Stored {
     GltfFile file;  // nothing if the document's primitives hold nothing yet
 };
 
-void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what) {
-    if (attribute.values.rows() == 0) return;
-    if (attribute.corners.rows() != n_triangles)
-        throw InvalidInput(fmt::format("the {} have corners for {} triangles where the mesh has {}", what,
-                                       attribute.corners.rows(), n_triangles));
-    if (attribute.corners.minCoeff() < -1 || attribute.corners.maxCoeff() >= attribute.values.rows())
-        throw InvalidInput(fmt::format("a corner names a row of the {} that does not exist", what));
-}
-
-void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) {
-    if (rows != n_vertices)
-        throw InvalidInput(
-            fmt::format("{} has {} rows where the mesh has {} vertices", what, rows, n_vertices));
-}
-
-void require_consistent(const AttributedMesh& content) {
-    require_valid(content.mesh);
-    const Index n = content.mesh.n_vertices(), n_triangles = content.mesh.n_triangles();
-    require_corners(content.normals, n_triangles, "normals");
-    for (const CornerAttribute& set : content.texture_coordinates)
-        require_corners(set, n_triangles, "texture coordinates");
-    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colours");
-    if (content.skin.weights.cols() > 0) {
-        require_rows(content.skin.weights.rows(), n, "the skin");
-        require_rows(content.skin.joints.rows(), n, "the skin");
-        if (content.skin.joints.cols() != content.skin.weights.cols())
-            throw InvalidInput("the skin has not as many joints as weights");
+// A plain material for each named part.
+void name_materials(const std::vector<std::string>& names, GltfJson& json) {
+    GltfJson& primitives = json["meshes"][0]["primitives"];
+    for (std::size_t part = 0; part < std::min(names.size(), primitives.size()); ++part) {
+        if (names[part].empty()) continue;
+        primitives[part]["material"] = json.contains("materials") ? json["materials"].size() : 0;
+        json["materials"].push_back({{"name", names[part]}});
     }
-    for (const MorphTarget& morph : content.morphs)
-        require_rows(morph.displacements.rows(), n, fmt::format("the morph target '{}'", morph.name));
-    if (!content.parts.empty() && static_cast<Index>(content.parts.size()) != n_triangles)
-        throw InvalidInput(
-            fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));
 }
 
 // For a mesh that is from no glTF file: one node, one primitive for each part.
@@ -72,6 +48,7 @@ Stored new_document(const AttributedMesh& content) {
                             {"scenes", {{{"nodes", {0}}}}},
                             {"nodes", {{{"mesh", 0}}}},
                             {"meshes", {{{"primitives", std::move(primitives)}}}}};
+    name_materials(content.part_names, stored.document.json);
     return stored;
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // PLY (Turk 1994), text and binary: coordinates from the element `vertex`, corners from the element `face`;
-// other elements and properties are passed over.
+// further columns of both that are asked for; all else is passed over.
 #include "io/byte_order.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
+#include "io/ply_columns.hpp"
 #include "io/ply_header.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -34,6 +36,7 @@ class TextValues {
         text_.next_line();
     }
     double coordinate(const PlyProperty& property) { return text_.coordinate(property.name); }
+    double number(const PlyProperty& property) { return text_.number(property.name); }
     std::int64_t integer(PlyType, const PlyProperty& property) { return text_.integer(property.name); }
     void skip(PlyType, const PlyProperty& property) { text_.number(property.name); }
 
@@ -57,6 +60,7 @@ class BinaryValues {
     }
     void end() {}
     double coordinate(const PlyProperty& property) { return value<double>(property.type); }
+    double number(const PlyProperty& property) { return value<double>(property.type); }
     std::int64_t integer(PlyType type, const PlyProperty&) { return value<std::int64_t>(type); }
     void skip(PlyType type, const PlyProperty&) { take(size_of(type)); }
 
@@ -133,17 +137,21 @@ void skip(Values& values, const PlyProperty& property) {
 }
 
 template <class Values>
-void read_vertices(Values& values, const PlyElement& element, MeshCollector& mesh) {
+std::vector<double> read_vertices(Values& values, const PlyElement& element, const PlyWanted& wanted,
+                                  MeshCollector& mesh) {
     static constexpr std::string_view axes = "xyz";
     const auto is_axis = [](const PlyProperty& p) {
         return !p.is_list && p.name.size() == 1 && axes.find(p.name) != axes.npos;
     };
     std::array<double, 3> point = {};
+    std::vector<double> columns;
     for (std::int64_t v = 0; v < element.count; ++v) {
         values.begin(element, v);
         for (const PlyProperty& property : element.properties) {
             if (is_axis(property)) {
                 point[axes.find(property.name)] = values.coordinate(property);
+            } else if (wanted.of_vertices && !property.is_list) {
+                columns.push_back(values.number(property));
             } else {
                 skip(values, property);
             }
@@ -151,18 +159,36 @@ void read_vertices(Values& values, const PlyElement& element, MeshCollector& mes
         values.end();
         mesh.add_vertex(point[0], point[1], point[2]);
     }
+    return columns;
 }
 
 bool holds_corners(const PlyProperty& property) {
     return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
+// Texture coordinates of the corners, as a fan; faces with another number of them have none.
+void add_fan(const std::vector<double>& list, std::size_t n_corners, std::vector<double>& fan) {
+    const bool fits = list.size() == 2 * n_corners;
+    for (std::size_t i = 2; i < n_corners; ++i)
+        for (const std::size_t corner : {std::size_t{0}, i - 1, i})
+            for (std::size_t k = 0; k < 2; ++k)
+                fan.push_back(fits ? list[2 * corner + k] : std::numeric_limits<double>::quiet_NaN());
+}
+
 template <class Values>
-void read_faces(Values& values, const PlyElement& element, std::int64_t n_vertices, MeshCollector& mesh) {
+std::vector<double> read_faces(Values& values, const PlyElement& element, std::int64_t n_vertices,
+                               const PlyWanted& wanted, MeshCollector& mesh) {
     std::vector<Index> corners;
+    std::vector<double> list, fans;
     for (std::int64_t f = 0; f < element.count; ++f) {
         values.begin(element, f);
+        list.clear();
         for (const PlyProperty& property : element.properties) {
+            if (wanted.of_corners && property.is_list && property.name == "texcoord") {
+                const std::int64_t size = read_length(values, property);
+                for (std::int64_t i = 0; i < size; ++i) list.push_back(values.number(property));
+                continue;
+            }
             if (!holds_corners(property)) {
                 skip(values, property);
                 continue;
@@ -181,21 +207,25 @@ void read_faces(Values& values, const PlyElement& element, std::int64_t n_vertic
             mesh.add_face(corners);
         }
         values.end();
+        if (wanted.of_corners) add_fan(list, corners.size(), fans);
     }
+    return fans;
 }
 
 template <class Values>
-MeshFile read_body(Values values, const PlyHeader& header, std::int64_t n_vertices, const std::string& name) {
+PlyColumns read_body(Values values, const PlyHeader& header, std::int64_t n_vertices, const PlyWanted& wanted,
+                     const std::string& name) {
     MeshCollector mesh;
+    PlyColumns result;
     for (const PlyElement& element : header.elements) {
         if (element.properties.empty()) continue;  // nothing is stored for it
         require_room(values, element, name);
         if (element.name == "vertex") {
             mesh.reserve(static_cast<std::size_t>(n_vertices), 0);
-            read_vertices(values, element, mesh);
+            result.of_vertices = read_vertices(values, element, wanted, mesh);
         } else if (element.name == "face") {
             mesh.reserve(0, static_cast<std::size_t>(element.count));
-            read_faces(values, element, n_vertices, mesh);
+            result.of_corners = read_faces(values, element, n_vertices, wanted, mesh);
         } else {
             for (std::int64_t i = 0; i < element.count; ++i) {
                 values.begin(element, i);
@@ -204,7 +234,8 @@ MeshFile read_body(Values values, const PlyHeader& header, std::int64_t n_vertic
             }
         }
     }
-    return mesh.finish();
+    result.file = mesh.finish();
+    return result;
 }
 
 // The only element of that name; null if there is none.
@@ -244,16 +275,25 @@ std::int64_t check_elements(const PlyHeader& header, const std::string& name) {
 
 }  // namespace
 
-MeshFile read_ply(std::string_view bytes, const std::string& name) {
+PlyColumns read_ply_columns(std::string_view bytes, const PlyWanted& wanted, const std::string& name) {
     TextCursor text(bytes, name);
     const PlyHeader header = read_ply_header(text);
     const std::int64_t n_vertices = check_elements(header, name);
-    if (header.format == PlyHeader::Format::ascii)
-        return read_body(TextValues(text), header, n_vertices, name);
     const auto order =
         header.format == PlyHeader::Format::little_endian ? std::endian::little : std::endian::big;
-    return read_body(BinaryValues(bytes.substr(bytes.size() - text.remaining()), order, name), header,
-                     n_vertices, name);
+    PlyColumns result =
+        header.format == PlyHeader::Format::ascii
+            ? read_body(TextValues(text), header, n_vertices, wanted, name)
+            : read_body(BinaryValues(bytes.substr(bytes.size() - text.remaining()), order, name), header,
+                        n_vertices, wanted, name);
+    for (const PlyProperty& property : find_element(header, "vertex", name)->properties)
+        if (!property.is_list && property.name != "x" && property.name != "y" && property.name != "z")
+            result.properties.push_back(property);
+    return result;
+}
+
+MeshFile read_ply(std::string_view bytes, const std::string& name) {
+    return read_ply_columns(bytes, {.of_vertices = false, .of_corners = false}, name).file;
 }
 
 std::string ply_bytes(const TriangleMesh& mesh) {

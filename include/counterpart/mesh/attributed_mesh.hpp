@@ -36,13 +36,15 @@ struct GltfDocument;
 struct AttributedMesh {
     TriangleMesh mesh;
     CornerAttribute normals;                           ///< n x 3 values
-    std::vector<CornerAttribute> texture_coordinates;  ///< n x 2 values each
+    std::vector<CornerAttribute> texture_coordinates;  ///< n x 2 values each, (0, 0) at the image's top left
     std::vector<CornerAttribute> colors;               ///< n x 3 or n x 4 values in 0 .. 1 each
     SkinBinding skin;
     std::vector<MorphTarget> morphs;
     /// For each triangle what it is made of: the number of one of the document's primitives, which have their
     /// materials; without a document any label from 0. Empty: all alike.
     std::vector<Index> parts;
+    /// The material of each part, by name; empty: unnamed.
+    std::vector<std::string> part_names;
     /// The glTF file that the mesh is from: whatever else it holds (materials, textures, the skeleton, other
     /// nodes, animations) is written along, so who takes skin or parts from another mesh takes this too. Null
     /// for meshes from elsewhere.

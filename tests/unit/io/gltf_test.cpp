@@ -162,6 +162,9 @@ TEST(Gltf, SaysWhatIsWrong) {
          "where VEC4 is needed"},
         {[](Json& j) { j["meshes"][0]["primitives"][0]["attributes"].erase("WEIGHTS_0"); },
          "needs its WEIGHTS"},
+        {[](Json& j) { j["accessors"][3]["count"] = 5; }, "a morph target has 5 rows for 6 vertices"},
+        {[](Json& j) { j["accessors"][1]["count"] = 5; }, "TEXCOORD_0 has 5 rows for 6 vertices"},
+        {[](Json& j) { j["meshes"][0]["primitives"][0]["indices"] = 17; }, "no element 17 in 'accessors'"},
     };
     for (const auto& [edit, message] : cases) {
         Square square;
@@ -169,6 +172,9 @@ TEST(Gltf, SaysWhatIsWrong) {
         EXPECT_NE(error_of(square.glb()).find(message), std::string::npos)
             << message << " | " << error_of(square.glb());
     }
+    Square outside;
+    outside.json["buffers"] = {{{"uri", "gone.bin"}, {"byteLength", 10}}};
+    EXPECT_NE(error_of(outside.json.dump()).find("buffer 0 is missing: there is no file"), std::string::npos);
     EXPECT_NE(error_of("glTF").find("cut off"), std::string::npos);
     EXPECT_NE(error_of("{").find("JSON is damaged"), std::string::npos);
     std::filesystem::remove(file);

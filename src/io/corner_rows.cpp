@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/corner_rows.hpp"
+
+#include <counterpart/base/errors.hpp>
+
+#include <string>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what) {
+    if (attribute.values.rows() == 0) return;
+    if (attribute.corners.rows() != n_triangles)
+        throw InvalidInput(fmt::format("the {} have corners for {} triangles where the mesh has {}", what,
+                                       attribute.corners.rows(), n_triangles));
+    if (attribute.corners.minCoeff() < -1 || attribute.corners.maxCoeff() >= attribute.values.rows())
+        throw InvalidInput(fmt::format("a corner names a row of the {} that does not exist", what));
+}
+
+void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) {
+    if (rows != n_vertices)
+        throw InvalidInput(
+            fmt::format("{} has {} rows where the mesh has {} vertices", what, rows, n_vertices));
+}
+
+}  // namespace
+
+void require_consistent(const AttributedMesh& content) {
+    require_valid(content.mesh);
+    const Index n = content.mesh.n_vertices(), n_triangles = content.mesh.n_triangles();
+    require_corners(content.normals, n_triangles, "normals");
+    for (const CornerAttribute& set : content.texture_coordinates)
+        require_corners(set, n_triangles, "texture coordinates");
+    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colours");
+    if (content.skin.weights.cols() > 0) {
+        require_rows(content.skin.weights.rows(), n, "the skin");
+        require_rows(content.skin.joints.rows(), n, "the skin");
+        if (content.skin.joints.cols() != content.skin.weights.cols())
+            throw InvalidInput("the skin has not as many joints as weights");
+    }
+    for (const MorphTarget& morph : content.morphs)
+        require_rows(morph.displacements.rows(), n, fmt::format("the morph target '{}'", morph.name));
+    if (!content.parts.empty() && static_cast<Index>(content.parts.size()) != n_triangles)
+        throw InvalidInput(
+            fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));
+}
+
+std::optional<Matrix> one_row_per_vertex(const CornerAttribute& attribute, const TriangleMesh& mesh) {
+    if (attribute.values.rows() == 0) return {};
+    Matrix rows = Matrix::Zero(mesh.n_vertices(), attribute.values.cols());
+    std::vector<Index> row_of(static_cast<std::size_t>(mesh.n_vertices()), -1);
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            const Index v = mesh.triangles(t, c), row = attribute.corners(t, c);
+            if (row < 0) return {};
+            Index& known = row_of[static_cast<std::size_t>(v)];
+            if (known >= 0 && attribute.values.row(known) != attribute.values.row(row)) return {};
+            known = row;
+            rows.row(v) = attribute.values.row(row);
+        }
+    }
+    return rows;
+}
+
+}  // namespace counterpart

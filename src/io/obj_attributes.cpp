@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What Wavefront OBJ holds beside the triangles: `vt`, `vn`, colours behind the coordinates of `v`, the
+// names of `usemtl`. It counts the second texture coordinate from the image's lower edge.
+#include "io/corner_rows.hpp"
+#include "io/decimal.hpp"
+#include "io/formats.hpp"
+#include "io/text_cursor.hpp"
+
+#include <counterpart/base/errors.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using Corner = std::array<std::int64_t, 3>;  // rows from 0 of v, vt, vn; -1: none
+
+struct ObjAttributes {
+    std::vector<double> texture_coordinates, normals, colors;
+    std::vector<Corner> corners;  // three for each triangle
+    std::vector<Index> parts;
+    std::vector<std::string> part_names;
+    std::int64_t n_vertices = 0;
+};
+
+// v, v/vt, v//vn or v/vt/vn.
+Corner parse_corner(const TextCursor& text, std::string_view word, const Corner& counts) {
+    Corner corner = {-1, -1, -1};
+    for (std::size_t k = 0; k < 3 && !word.empty(); ++k) {
+        const std::string_view part = word.substr(0, word.find('/'));
+        word.remove_prefix(std::min(word.size(), part.size() + 1));
+        if (part.empty()) continue;
+        std::int64_t number = 0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+        if (error != std::errc() || end != part.data() + part.size() || number == 0 || number < -counts[k])
+            text.fail(fmt::format("'{}' is no number of a texture coordinate or normal so far", part));
+        corner[k] = number > 0 ? number - 1 : counts[k] + number;
+    }
+    return corner;
+}
+
+void read_vertex(TextCursor& text, ObjAttributes& found) {
+    std::array<double, 7> numbers = {};
+    std::size_t n = 0;
+    while (n < numbers.size() && !text.at_line_end()) numbers[n++] = text.number("vertex");
+    if (n == 6) found.colors.insert(found.colors.end(), {numbers[3], numbers[4], numbers[5]});
+    ++found.n_vertices;
+}
+
+void read_face(TextCursor& text, Index part, ObjAttributes& found) {
+    const Corner counts = {found.n_vertices, static_cast<std::int64_t>(found.texture_coordinates.size() / 2),
+                           static_cast<std::int64_t>(found.normals.size() / 3)};
+    std::vector<Corner> polygon;
+    while (!text.at_line_end()) polygon.push_back(parse_corner(text, text.word(), counts));
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        found.corners.insert(found.corners.end(), {polygon[0], polygon[i - 1], polygon[i]});
+        found.parts.push_back(part);
+    }
+}
+
+ObjAttributes scan(std::string_view bytes, const std::string& name) {
+    ObjAttributes found;
+    Index part = -1;
+    const auto part_of = [&](const std::string& material) {
+        const auto place = std::find(found.part_names.begin(), found.part_names.end(), material);
+        if (place != found.part_names.end()) return static_cast<Index>(place - found.part_names.begin());
+        found.part_names.push_back(material);
+        return static_cast<Index>(found.part_names.size()) - 1;
+    };
+    for (TextCursor text(bytes, name); text.next_content(); text.next_line()) {
+        const std::string_view key_word = text.word();
+        if (key_word == "v") {
+            read_vertex(text, found);
+        } else if (key_word == "vt") {
+            const double u = text.coordinate("u");
+            const double v = text.at_line_end() ? 0 : text.coordinate("v");
+            found.texture_coordinates.insert(found.texture_coordinates.end(), {u, 1 - v});
+        } else if (key_word == "vn") {
+            for (const char* axis : {"x", "y", "z"}) found.normals.push_back(text.coordinate(axis));
+        } else if (key_word == "usemtl") {
+            part = part_of(std::string(text.word()));
+        } else if (key_word == "f") {
+            if (part < 0) part = part_of("");
+            read_face(text, part, found);
+        }
+    }
+    return found;
+}
+
+CornerAttribute attribute_of(const ObjAttributes& found, std::size_t k, const std::vector<double>& values,
+                             Eigen::Index width, const std::string& name) {
+    CornerAttribute attribute;
+    const auto n_rows = static_cast<Eigen::Index>(values.size()) / width;
+    const auto n_triangles = static_cast<Eigen::Index>(found.corners.size() / 3);
+    attribute.values = Eigen::Map<const Matrix>(values.data(), n_rows, width);
+    attribute.corners.resize(n_triangles, 3);
+    bool any = false;
+    for (std::size_t i = 0; i < found.corners.size(); ++i) {
+        const std::int64_t row = found.corners[i][k];
+        if (row >= n_rows)
+            throw IoError(fmt::format("{}: a face names {} {}, but the file has only {}", name,
+                                      k == 1 ? "texture coordinate" : "normal", row + 1, n_rows));
+        any |= row >= 0;
+        attribute.corners(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
+            static_cast<Index>(row);
+    }
+    return any ? attribute : CornerAttribute();
+}
+
+void append_row(std::string& text, const char* key_word, std::initializer_list<double> numbers) {
+    text += key_word;
+    for (const double number : numbers) {
+        text += ' ';
+        append_decimal(text, number);
+    }
+    text += '\n';
+}
+
+void append_vertices(std::string& text, const AttributedMesh& content) {
+    const std::optional<Matrix> colors =
+        content.colors.empty() ? std::nullopt : one_row_per_vertex(content.colors[0], content.mesh);
+    for (Index v = 0; v < content.mesh.n_vertices(); ++v) {
+        const auto p = content.mesh.vertices.row(v);
+        if (colors)
+            append_row(text, "v", {p[0], p[1], p[2], (*colors)(v, 0), (*colors)(v, 1), (*colors)(v, 2)});
+        else
+            append_row(text, "v", {p[0], p[1], p[2]});
+    }
+}
+
+}  // namespace
+
+AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string& name) {
+    MeshFile plain = read_obj(bytes, name);  // refuses what is wrong with the triangles
+    ObjAttributes found = scan(bytes, name);
+    AttributedMeshFile result{{}, std::move(plain.notices)};
+    AttributedMesh& content = result.content;
+    content.mesh = std::move(plain.mesh);
+    if (CornerAttribute uv = attribute_of(found, 1, found.texture_coordinates, 2, name); uv.values.rows() > 0)
+        content.texture_coordinates.push_back(std::move(uv));
+    content.normals = attribute_of(found, 2, found.normals, 3, name);
+    if (found.n_vertices > 0 && static_cast<std::int64_t>(found.colors.size()) == 3 * found.n_vertices)
+        content.colors.push_back(
+            {Eigen::Map<const Matrix>(found.colors.data(), found.n_vertices, 3), content.mesh.triangles});
+    if (found.part_names.size() > 1 || (found.part_names.size() == 1 && !found.part_names[0].empty())) {
+        content.parts = std::move(found.parts);
+        content.part_names = std::move(found.part_names);
+    }
+    return result;
+}
+
+std::string obj_bytes(const AttributedMesh& content) {
+    std::string text;
+    append_vertices(text, content);
+    const CornerAttribute none;
+    const CornerAttribute& uv = content.texture_coordinates.empty() ? none : content.texture_coordinates[0];
+    for (Eigen::Index i = 0; i < uv.values.rows(); ++i)
+        append_row(text, "vt", {uv.values(i, 0), 1 - uv.values(i, 1)});
+    for (Eigen::Index i = 0; i < content.normals.values.rows(); ++i)
+        append_row(
+            text, "vn",
+            {content.normals.values(i, 0), content.normals.values(i, 1), content.normals.values(i, 2)});
+    const auto row_of = [](const CornerAttribute& attribute, Index t, int c) {
+        return attribute.values.rows() > 0 ? attribute.corners(t, c) : -1;
+    };
+    Index part = -1;
+    for (Index t = 0; t < content.mesh.n_triangles(); ++t) {
+        const auto next = static_cast<std::size_t>(t) < content.parts.size()
+                              ? content.parts[static_cast<std::size_t>(t)]
+                              : -1;
+        if (next != part && next >= 0 && static_cast<std::size_t>(next) < content.part_names.size() &&
+            !content.part_names[static_cast<std::size_t>(next)].empty())
+            text += "usemtl " + content.part_names[static_cast<std::size_t>(next)] + '\n';
+        part = next;
+        text += 'f';
+        for (int c = 0; c < 3; ++c) {
+            const Index uv_row = row_of(uv, t, c), normal = row_of(content.normals, t, c);
+            text += fmt::format(" {}", content.mesh.triangles(t, c) + 1);
+            if (uv_row >= 0) text += fmt::format("/{}", uv_row + 1);
+            if (normal >= 0) text += fmt::format("{}/{}", uv_row >= 0 ? "" : "/", normal + 1);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace counterpart

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What PLY files hold beside the triangles, by the names in use: normals nx ny nz; texture coordinates s t,
+// u v or texture_u texture_v at vertices, `texcoord` at corners of faces; colours red green blue [alpha].
+// They count the second texture coordinate from the image's lower edge.
+#include "io/byte_order.hpp"
+#include "io/corner_rows.hpp"
+#include "io/formats.hpp"
+#include "io/ply_columns.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+// The columns of these names; no rows unless all are there.
+Matrix columns_named(const PlyColumns& columns, std::initializer_list<const char*> names) {
+    const auto width = static_cast<Eigen::Index>(columns.properties.size());
+    const Eigen::Index n = columns.file.mesh.n_vertices();
+    Matrix found(n, static_cast<Eigen::Index>(names.size()));
+    Eigen::Index k = 0;
+    for (const char* name : names) {
+        Eigen::Index at = 0;
+        while (at < width && columns.properties[static_cast<std::size_t>(at)].name != name) ++at;
+        if (at == width) return {};
+        const PlyType type = columns.properties[static_cast<std::size_t>(at)].type;
+        const Eigen::Map<const Matrix> all(columns.of_vertices.data(), n, width);
+        const bool is_color = std::string_view("red green blue alpha").find(name) != std::string_view::npos;
+        const double whole = !is_color                 ? 1
+                             : type == PlyType::uint8  ? 255
+                             : type == PlyType::uint16 ? 65535
+                                                       : 1;
+        found.col(k++) = all.col(at) / whole;
+    }
+    return found;
+}
+
+CornerAttribute at_vertices(Matrix values, const Triangles& triangles) {
+    if (values.rows() == 0) return {};
+    return {std::move(values), triangles};
+}
+
+Matrix texture_columns(const PlyColumns& columns) {
+    for (const auto& names :
+         {std::array{"s", "t"}, std::array{"u", "v"}, std::array{"texture_u", "texture_v"}}) {
+        Matrix values = columns_named(columns, {names[0], names[1]});
+        if (values.rows() > 0) return values;
+    }
+    return {};
+}
+
+// Corners that agree share a row, so that no seam is where there is none.
+CornerAttribute corner_coordinates(const PlyColumns& columns) {
+    const Triangles& triangles = columns.file.mesh.triangles;
+    std::vector<std::vector<Index>> rows_at(static_cast<std::size_t>(columns.file.mesh.n_vertices()));
+    std::vector<double> values;
+    CornerAttribute attribute;
+    attribute.corners = Triangles::Constant(triangles.rows(), 3, -1);
+    for (Eigen::Index i = 0; i < triangles.size() && 2 * i + 1 < std::ssize(columns.of_corners); ++i) {
+        const double u = columns.of_corners[static_cast<std::size_t>(2 * i)],
+                     v = columns.of_corners[static_cast<std::size_t>(2 * i + 1)];
+        if (std::isnan(u) || std::isnan(v)) continue;
+        std::vector<Index>& rows = rows_at[static_cast<std::size_t>(triangles(i / 3, i % 3))];
+        Index row = -1;
+        for (const Index known : rows)
+            if (values[2 * static_cast<std::size_t>(known)] == u &&
+                values[2 * static_cast<std::size_t>(known) + 1] == v)
+                row = known;
+        if (row < 0) {
+            row = static_cast<Index>(values.size() / 2);
+            rows.push_back(row);
+            values.insert(values.end(), {u, v});
+        }
+        attribute.corners(i / 3, i % 3) = row;
+    }
+    if (values.empty()) return {};
+    attribute.values = Eigen::Map<const Matrix>(values.data(), std::ssize(values) / 2, 2);
+    return attribute;
+}
+
+bool are_bytes(const Matrix& colors) {
+    return (colors.array() >= 0).all() && (colors.array() <= 1).all() &&
+           ((colors * 255).array() - (colors * 255).array().round()).abs().maxCoeff() < 1e-4;
+}
+
+// What goes into the file, vertex by vertex.
+struct Written {
+    std::optional<Matrix> normals, texture_coordinates, colors;
+    bool byte_colors = false;
+    const CornerAttribute* seams = nullptr;  // texture coordinates that differ at one vertex
+};
+
+Written what_to_write(const AttributedMesh& content) {
+    Written written;
+    written.normals = one_row_per_vertex(content.normals, content.mesh);
+    if (!content.texture_coordinates.empty()) {
+        const CornerAttribute& uv = content.texture_coordinates[0];
+        written.texture_coordinates = one_row_per_vertex(uv, content.mesh);
+        if (!written.texture_coordinates && uv.values.rows() > 0) written.seams = &uv;
+    }
+    if (!content.colors.empty()) {
+        written.colors = one_row_per_vertex(content.colors[0], content.mesh);
+        written.byte_colors = written.colors && are_bytes(*written.colors);
+    }
+    return written;
+}
+
+std::string header_of(const TriangleMesh& mesh, const Written& written) {
+    std::string text =
+        fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.n_vertices());
+    const auto add = [&](const char* type, std::initializer_list<const char*> names) {
+        for (const char* name : names) text += fmt::format("property {} {}\n", type, name);
+    };
+    add("double", {"x", "y", "z"});
+    if (written.normals) add("float", {"nx", "ny", "nz"});
+    if (written.texture_coordinates) add("float", {"s", "t"});
+    const char* color_type = written.byte_colors ? "uchar" : "float";
+    if (written.colors) add(color_type, {"red", "green", "blue"});
+    if (written.colors && written.colors->cols() == 4) add(color_type, {"alpha"});
+    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh.n_triangles());
+    if (written.seams != nullptr) text += "property list uchar float texcoord\n";
+    return text + "end_header\n";
+}
+
+void append_vertex(std::string& bytes, Index v, const Written& written) {
+    const auto add_float = [&](double value) { append_number(bytes, static_cast<float>(value)); };
+    if (written.normals)
+        for (int k = 0; k < 3; ++k) add_float((*written.normals)(v, k));
+    if (written.texture_coordinates) {
+        add_float((*written.texture_coordinates)(v, 0));
+        add_float(1 - (*written.texture_coordinates)(v, 1));
+    }
+    if (!written.colors) return;
+    for (Eigen::Index k = 0; k < written.colors->cols(); ++k) {
+        if (written.byte_colors)
+            append_number(bytes, static_cast<std::uint8_t>(std::lround(255 * (*written.colors)(v, k))));
+        else
+            add_float((*written.colors)(v, k));
+    }
+}
+
+}  // namespace
+
+AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string& name) {
+    PlyColumns columns = read_ply_columns(bytes, {}, name);
+    const Triangles& triangles = columns.file.mesh.triangles;
+    AttributedMeshFile result;
+    result.content.normals = at_vertices(columns_named(columns, {"nx", "ny", "nz"}), triangles);
+    CornerAttribute uv = corner_coordinates(columns);
+    if (uv.values.rows() == 0) uv = at_vertices(texture_columns(columns), triangles);
+    if (uv.values.rows() > 0) {
+        uv.values.col(1) = 1 - uv.values.col(1).array();
+        result.content.texture_coordinates.push_back(std::move(uv));
+    }
+    Matrix colors = columns_named(columns, {"red", "green", "blue", "alpha"});
+    if (colors.rows() == 0) colors = columns_named(columns, {"red", "green", "blue"});
+    if (colors.rows() > 0) result.content.colors.push_back(at_vertices(std::move(colors), triangles));
+    result.notices = std::move(columns.file.notices);
+    result.content.mesh = std::move(columns.file.mesh);
+    return result;
+}
+
+std::string ply_bytes(const AttributedMesh& content) {
+    const TriangleMesh& mesh = content.mesh;
+    const Written written = what_to_write(content);
+    std::string bytes = header_of(mesh, written);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        for (int k = 0; k < 3; ++k) append_number(bytes, mesh.vertices(v, k));
+        append_vertex(bytes, v, written);
+    }
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        append_number(bytes, std::uint8_t{3});
+        for (int c = 0; c < 3; ++c) append_number(bytes, mesh.triangles(t, c));
+        if (written.seams == nullptr) continue;
+        const auto row = written.seams->corners.row(t);
+        const bool has_all = row.minCoeff() >= 0;
+        append_number(bytes, static_cast<std::uint8_t>(has_all ? 6 : 0));
+        for (int c = 0; has_all && c < 3; ++c) {
+            append_number(bytes, static_cast<float>(written.seams->values(row[c], 0)));
+            append_number(bytes, static_cast<float>(1 - written.seams->values(row[c], 1)));
+        }
+    }
+    return bytes;
+}
+
+}  // namespace counterpart
