@@ -81,18 +81,23 @@ std::string worst_of(const Json& rows, const std::string& prefix) {
                        100 * error, 100 * volume, inverted);
 }
 
-void run(const MorphCommand& command) {
-    Stopwatch watch;
-    const TriangleMesh first = load_mesh(command.first, command.common);
-    const TriangleMesh last = load_mesh(command.last, command.common);
-    MorphOptions options = command.options;
-    options.n_threads = command.common.threads;
-    const Points pose = last_pose(first, last, command);
-    watch.lap("read");
-    const std::vector<Points> frames =
-        morph_frames(first, pose, command.count, options, progress_bar("morphing", command.common));
-    watch.lap("morph");
+bool is_one_file(const std::filesystem::path& output) {
+    return output.extension() == ".glb" || output.extension() == ".gltf";
+}
 
+// The first key frame with all it has, where each further frame is a morph target.
+void write_morph_targets(AttributedMesh content, const std::vector<Points>& frames, const Points& last,
+                         const std::filesystem::path& output) {
+    content.morphs.clear();
+    const Points& first = content.mesh.vertices;
+    for (const Points& frame : frames)
+        content.morphs.push_back({fmt::format("frame_{:04}", content.morphs.size() + 1), frame - first});
+    content.morphs.push_back({fmt::format("frame_{:04}", content.morphs.size() + 1), last - first});
+    write_attributed_mesh(content, output);
+}
+
+void write_frames(const TriangleMesh& first, const std::vector<Points>& frames, const Points& last,
+                  const MorphCommand& command) {
     std::error_code failure;
     std::filesystem::create_directories(command.output, failure);
     if (failure)
@@ -103,7 +108,26 @@ void run(const MorphCommand& command) {
     };
     write(first.vertices, 0);
     for (std::size_t k = 0; k < frames.size(); ++k) write(frames[k], k + 1);
-    write(pose, frames.size() + 1);
+    write(last, frames.size() + 1);
+}
+
+void run(const MorphCommand& command) {
+    Stopwatch watch;
+    const AttributedMesh first_content = load_attributed_mesh(command.first, command.common);
+    const TriangleMesh& first = first_content.mesh;
+    const TriangleMesh last = load_mesh(command.last, command.common);
+    MorphOptions options = command.options;
+    options.n_threads = command.common.threads;
+    const Points pose = last_pose(first, last, command);
+    watch.lap("read");
+    const std::vector<Points> frames =
+        morph_frames(first, pose, command.count, options, progress_bar("morphing", command.common));
+    watch.lap("morph");
+
+    if (is_one_file(command.output))
+        write_morph_targets(first_content, frames, pose, command.output);
+    else
+        write_frames(first, frames, pose, command);
     watch.lap("write");
 
     const Json rows = measured(first, pose, frames);
@@ -133,10 +157,16 @@ void add_morph(CLI::App& program) {
     morph->add_option("-n,--frames", command->count, "Number of in-between frames; 0 to 10000")
         ->check(CLI::Range(0, 10000))
         ->capture_default_str();
-    morph->add_option("-o,--output", command->output, "Folder for frame_0000 (A) to frame_<n+1> (B)")
+    morph
+        ->add_option(
+            "-o,--output", command->output,
+            "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all it has but "
+            "its morph targets, and the frames frame_0001 to frame_<n+1> as such")
         ->required();
-    morph->add_option("--format", command->format, "Of the frames: .obj, .ply, .off or .stl")
-        ->check(CLI::IsMember({".obj", ".ply", ".off", ".stl"}))
+    morph
+        ->add_option("--format", command->format,
+                     "Of the frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
+        ->check(CLI::IsMember({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
         ->capture_default_str();
     morph
         ->add_option("--iterations", command->options.iterations,

@@ -51,8 +51,10 @@ std::string obj_faces(const TriangleMesh& mesh) {
 
 void run(const ReorderCommand& command) {
     Stopwatch watch;
-    const TriangleMesh source = load_mesh(command.source, command.common);
-    const TriangleMesh target = load_mesh(command.target, command.common);
+    const AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
+    const AttributedMesh target_content = load_attributed_mesh(command.target, command.common);
+    const TriangleMesh& source = source_content.mesh;
+    const TriangleMesh& target = target_content.mesh;
     watch.lap("read");
     const ExactResult match = match_exact(source, target, command.options);
     watch.lap("match");
@@ -68,7 +70,9 @@ void run(const ReorderCommand& command) {
                                match.target_corner_from_source),
                    command.output);
     } else {
-        write_mesh(reorder(source, target, match.target_from_source), command.output);
+        write_attributed_mesh(reorder(source_content, target_content, match.target_from_source,
+                                      match.target_corner_from_source),
+                              command.output);
     }
     watch.lap("write");
     say(command.common, fmt::format("{} vertices in the order of {} -> {}", source.n_vertices(),
@@ -93,7 +97,8 @@ void add_reorder(CLI::App& program) {
     reorder
         ->add_option("-o,--output", command->output,
                      "Mesh file; from .obj to .obj positions keep their text, texture coordinates and "
-                     "normals their corners, polygons, groups and materials are the source's")
+                     "normals their corners, polygons, groups and materials are the source's. glTF has the "
+                     "target's attributes, materials and skeleton, or the source's if the target is bare")
         ->required();
     reorder->add_flag("--allow-mirror", command->options.allow_mirror,
                       "Geometry may choose a match that turns the surface over");

@@ -3,9 +3,65 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace counterpart {
+namespace {
+
+bool has_attributes(const AttributedMesh& content) {
+    return content.normals.values.rows() > 0 || !content.texture_coordinates.empty() ||
+           !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty();
+}
+
+void require_corners(const Triangles& corners, const TriangleMesh& source, const TriangleMesh& target) {
+    const bool fits =
+        corners.rows() == source.n_triangles() &&
+        (corners.rows() == 0 || (corners.minCoeff() >= 0 && corners.maxCoeff() / 3 < target.n_triangles()));
+    if (!fits) throw InvalidInput("the map of the corners does not fit the triangles of the meshes");
+}
+
+CornerAttribute in_order(CornerAttribute attribute, const Triangles& from) {
+    if (attribute.values.rows() == 0) return attribute;
+    const Triangles before = std::move(attribute.corners);
+    attribute.corners.resize(from.rows(), 3);
+    for (Eigen::Index t = 0; t < from.rows(); ++t)
+        for (int c = 0; c < 3; ++c) attribute.corners(t, c) = before(from(t, c) / 3, from(t, c) % 3);
+    return attribute;
+}
+
+}  // namespace
+
+AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& target,
+                       const VertexMap& target_from_source, const Triangles& target_corner_from_source) {
+    TriangleMesh mesh = reorder(source.mesh, target.mesh, target_from_source);
+    require_corners(target_corner_from_source, source.mesh, target.mesh);
+    AttributedMesh result = has_attributes(target) ? target : source;
+    result.mesh = std::move(mesh);
+    if (!has_attributes(target)) {
+        result.normals = {};
+        return result;
+    }
+    const Triangles& from = target_corner_from_source;
+    result.normals = in_order(std::move(result.normals), from);
+    for (CornerAttribute& set : result.texture_coordinates) set = in_order(std::move(set), from);
+    for (CornerAttribute& set : result.colors) set = in_order(std::move(set), from);
+    std::vector<Index> vertices;
+    for (Index v = 0; v < source.mesh.n_vertices(); ++v) vertices.push_back(target_from_source[v]);
+    if (target.skin.weights.cols() > 0) {
+        result.skin.joints = target.skin.joints(vertices, Eigen::all);
+        result.skin.weights = target.skin.weights(vertices, Eigen::all);
+    }
+    for (std::size_t i = 0; i < target.morphs.size(); ++i)
+        result.morphs[i].displacements = target.morphs[i].displacements(vertices, Eigen::all);
+    if (!target.parts.empty()) {
+        result.parts.clear();
+        for (Eigen::Index t = 0; t < from.rows(); ++t)
+            result.parts.push_back(target.parts[static_cast<std::size_t>(from(t, 0) / 3)]);
+    }
+    return result;
+}
 
 TriangleMesh reorder(const TriangleMesh& source, const TriangleMesh& target,
                      const VertexMap& target_from_source) {

@@ -37,6 +37,36 @@ python3 -c "import json; r = json.load(open('report.json')); assert r['closed'] 
 
 for format in off obj ply; do expect_status 0 convert source.obj copy.$format -q; done
 for format in off ply; do expect_status 0 convert copy.$format again.obj -q; cmp -s again.obj copy.obj || fail "$format"; done
+for format in glb gltf; do
+  expect_status 0 convert source.obj copy.$format -q
+  expect_status 0 convert copy.$format once.obj -q
+  expect_status 0 convert once.obj twice.$format -q
+  cmp -s copy.$format twice.$format || fail "$format is not what it was"
+done
+expect_status 0 reorder once.obj copy.glb -o reordered.glb -q
+expect_status 0 convert reordered.glb reordered.obj -q
+cmp -s reordered.obj once.obj || fail "reorder changed what was in order"
+expect_status 0 deform once.obj bent.obj --bend 20 -q
+expect_status 0 morph copy.glb bent.obj -n 3 -o morph.glb -q
+python3 -c "
+import json, struct
+bytes = open('morph.glb', 'rb').read()
+mesh = json.loads(bytes[20:20 + struct.unpack('<I', bytes[12:16])[0]])['meshes'][0]
+assert mesh['extras']['targetNames'] == ['frame_%04d' % i for i in range(1, 5)], mesh
+assert len(mesh['primitives'][0]['targets']) == 4, mesh"
+head -c 5000 copy.glb > cut.glb
+expect_status 1 convert cut.glb never.glb
+[ "$(wc -l < err)" -eq 1 ] || fail "not one line: $(cat err)"
+[ ! -e never.glb ] || fail "a refused command left a file"
+python3 -c "
+import json
+document = json.load(open('copy.gltf'))
+document['images'] = [{'uri': 'gone.png'}]
+json.dump(document, open('textured.gltf', 'w'))"
+expect_status 1 convert textured.gltf never.glb
+grep -q 'texture image 0 is missing: there is no file gone.png' err || fail "the missing texture is not named: $(cat err)"
+[ ! -e never.glb ] || fail "a refused command left a file"
+
 expect_status 0 match source.obj target.off --method nearest -o map.npy --report report.json
 python3 -c "import json; assert json.load(open('report.json'))['source_vertices'] > 10000"
 expect_status 2 match source.obj target.off --method nonsense -o map.txt

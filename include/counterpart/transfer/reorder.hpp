@@ -3,6 +3,7 @@
 #pragma once
 
 #include <counterpart/map/vertex_map.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 namespace counterpart {
@@ -12,5 +13,12 @@ namespace counterpart {
 /// or leaves a source vertex unmatched.
 TriangleMesh reorder(const TriangleMesh& source, const TriangleMesh& target,
                      const VertexMap& target_from_source);
+
+/// The same with all that is attached. A target that has anything attached gives all of it, its document too,
+/// in the source's order; a bare one gives the positions, and the rest is the source's, but for normals.
+/// `target_corner_from_source`: source triangles x 3, entries 3 * triangle + corner. O(V + F). Throws
+/// InvalidInput, also if the corners do not fit.
+AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& target,
+                       const VertexMap& target_from_source, const Triangles& target_corner_from_source);
 
 }  // namespace counterpart
