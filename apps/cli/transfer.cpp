@@ -186,7 +186,9 @@ void add_transfer(CLI::App& program) {
     auto command = std::make_shared<TransferCommand>();
     CLI::App* transfer =
         program.add_subcommand("transfer", "Write TARGET with the colours, texture, skin, morphs of SOURCE");
-    transfer->add_option("SOURCE", command->source, "Mesh file whose attributes are wanted: .glb or .gltf")
+    transfer
+        ->add_option("SOURCE", command->source,
+                     "Mesh file whose attributes are wanted: .glb, .gltf, .obj or .ply")
         ->required();
     transfer->add_option("TARGET", command->target, "Mesh file whose shape is kept")->required();
     CLI::Option* map =

@@ -163,6 +163,7 @@ AttributedMesh in_own_document(const AttributedMesh& content, const GltfDocument
     for (const GltfPrimitive& primitive : read_primitives(*document, ignored))
         number.emplace(Place{primitive.mesh, primitive.number}, static_cast<Index>(number.size()));
     AttributedMesh result = content;
+    result.part_names.clear();
     result.parts.clear();
     for (const Place& place : places) result.parts.push_back(number.at(place));
     result.document = std::move(document);
@@ -183,7 +184,9 @@ AttributedMesh with_materials(const AttributedMesh& content, const AttributedMes
                               const std::vector<Index>& source_parts) {
     AttributedMesh result = content;
     if (source.document == nullptr) {
-        if (content.document != nullptr) result.document = without_materials(*content.document);
+        if (content.document == nullptr) return result;
+        result.document = without_materials(*content.document);
+        result.part_names.clear();
         return result;
     }
     if (static_cast<Index>(source_parts.size()) != content.mesh.n_triangles() ||
@@ -193,6 +196,7 @@ AttributedMesh with_materials(const AttributedMesh& content, const AttributedMes
     if (content.document != nullptr) return in_own_document(content, *source.document, source_parts);
     result.document = without_skeleton(*source.document);
     result.parts = source_parts;
+    result.part_names = source.part_names;
     return result;
 }
 

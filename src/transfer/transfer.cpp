@@ -90,8 +90,10 @@ TransferResult transfer_attributes(const SurfaceMap& source_from_target, const A
     if (options.morphs && !source.morphs.empty()) transfer.morphs();
     if (takes_skin || options.material) transfer.result.source_parts = transfer.parts();
     if (takes_skin) content.document = source.document;
-    if (takes_skin || (options.material && target.document == nullptr && source.document == nullptr))
+    if (takes_skin || (options.material && target.document == nullptr && source.document == nullptr)) {
         content.parts = transfer.result.source_parts;
+        content.part_names = source.part_names;
+    }
     if (options.normals && source.normals.values.rows() > 0) {
         content.normals = transfer.corners("normals", [&] {
             return carry_normals(source_from_target, source.mesh, content.mesh, source.normals,
