@@ -22,8 +22,8 @@ MAY_INCLUDE = {
     "match": ["base", "mesh", "map", "numerics", "geodesic", "frontier", "align", "spectral", "descriptor"],
     "evaluation": ["base", "mesh", "map", "geodesic"],
     "transfer": ["base", "mesh", "map", "numerics", "align"],
-    "view": ["base", "mesh", "map"],
-    "render": ["base", "mesh", "map", "geodesic", "frontier", "evaluation"],
+    "view": ["base", "mesh", "map", "numerics"],
+    "render": ["base", "mesh", "map", "numerics", "geodesic", "frontier", "evaluation"],
 }
 INCLUDE = re.compile(r'^\s*#include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|Eigen/\w+)$")

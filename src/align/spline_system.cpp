@@ -3,12 +3,12 @@
 #include "align/spline_system.hpp"
 
 #include "base/multiversion.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 namespace counterpart {
@@ -89,11 +89,11 @@ SplineSystem::SplineSystem(const Matrix& controls) : centre_(controls.colwise().
     const auto q2 = q.rightCols(n_bending);
     const Eigen::MatrixXd kernel = spline_kernel(controls, controls);
     const Eigen::MatrixXd kernel_q2 = kernel * q2;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(q2.transpose() * kernel_q2);
+    const auto eigen = symmetric_eigen(Eigen::MatrixXd(q2.transpose() * kernel_q2));
     // Non-negative in exact arithmetic: the kernels are conditionally positive definite.
-    bending_ = eigen.eigenvalues().cwiseMax(0);
-    basis_ = (q2 * eigen.eigenvectors()).transpose();
-    kernel_basis_ = kernel_q2 * eigen.eigenvectors();
+    bending_ = eigen.values.cwiseMax(0);
+    basis_ = (q2 * eigen.vectors).transpose();
+    kernel_basis_ = kernel_q2 * eigen.vectors;
 }
 
 SplineSystem::Fit SplineSystem::fit(const Matrix& images, double bending_weight, double affine_weight) const {

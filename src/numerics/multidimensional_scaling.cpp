@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/multidimensional_scaling.hpp"
 
+#include "numerics/symmetric_eigen.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Eigenvalues>
 
 namespace counterpart {
 namespace {
@@ -13,16 +13,16 @@ namespace {
 // The three leading principal coordinates of the doubly centred squared distances.
 Points classical_solution(const Matrix& distances) {
     const Eigen::Index n = distances.rows();
-    Matrix gram = -0.5 * distances.array().square();
+    Eigen::MatrixXd gram = -0.5 * distances.array().square();
     const Eigen::RowVectorXd mean = gram.colwise().mean();
     gram.rowwise() -= mean;
     gram.colwise() -= mean.transpose();
     gram.array() += mean.mean();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+    const auto eigen = symmetric_eigen(gram);
     Points points = Points::Zero(n, 3);
     for (Eigen::Index k = 0; k < std::min<Eigen::Index>(3, n); ++k) {
-        const double variance = std::max(eigen.eigenvalues()[n - 1 - k], 0.0);
-        points.col(k) = std::sqrt(variance) * eigen.eigenvectors().col(n - 1 - k);
+        const double variance = std::max(eigen.values[n - 1 - k], 0.0);
+        points.col(k) = std::sqrt(variance) * eigen.vectors.col(n - 1 - k);
     }
     return points;
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/rotation.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/render/view.hpp>
@@ -11,7 +13,6 @@
 #include <optional>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace counterpart {
@@ -26,7 +27,8 @@ Eigen::Matrix3d surface_covariance(const TriangleMesh& mesh) {
     if (!(total > 0)) return Eigen::Matrix3d::Identity();
     const Eigen::RowVector3d mean = (areas.transpose() * mesh.vertices) / total;
     const Points centered = mesh.vertices.rowwise() - mean;
-    return centered.transpose() * areas.asDiagonal() * centered / total;
+    const Points weighted = areas.asDiagonal() * centered;
+    return weighted.transpose() * centered / total;
 }
 
 Eigen::Vector3d find_up(const TriangleMesh& mesh, const std::string& name) {
@@ -54,10 +56,12 @@ Eigen::Vector3d thinnest(const TriangleMesh& mesh, const Eigen::Vector3d& up, co
     Eigen::Matrix<double, 3, 2> plane;
     plane << side, front;
     const Eigen::Matrix2d spread = plane.transpose() * surface_covariance(mesh) * plane;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    const double mean = spread.trace() / 2, difference = (spread(0, 0) - spread(1, 1)) / 2;
+    const double deviation = std::hypot(difference, spread(0, 1));  // eigenvalues: mean -+ deviation
     // A round surface has no thinnest side: its front then.
-    if (axes.eigenvalues()[0] > 0.8 * axes.eigenvalues()[1]) return front;
-    const Eigen::Vector3d axis = plane * axes.eigenvectors().col(0);
+    if (mean - deviation > 0.8 * (mean + deviation)) return front;
+    const double widest = std::atan2(spread(0, 1), difference) / 2;
+    const Eigen::Vector3d axis = plane * Eigen::Vector2d(-std::sin(widest), std::cos(widest));
     const double ahead = axis.dot(front), aside = axis.dot(side);
     const double sign = std::abs(ahead) > 0.1 ? ahead : aside;
     return sign < 0 ? Eigen::Vector3d(-axis) : axis;
@@ -114,13 +118,14 @@ View carry_view(const View& source_view, const TriangleMesh& source, const Trian
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
     const Index n = count_matched(target_from_source);
     if (n < 3) return source_view;
-    Eigen::Matrix3Xd from(3, n), to(3, n);
+    Points from(n, 3), to(n, 3);
     for (Index v = 0, k = 0; v < source.n_vertices(); ++v) {
         if (target_from_source[v] == VertexMap::unmatched) continue;
-        from.col(k) = source.vertices.row(v).transpose();
-        to.col(k++) = target.vertices.row(target_from_source[v]).transpose();
+        from.row(k) = source.vertices.row(v);
+        to.row(k++) = target.vertices.row(target_from_source[v]);
     }
-    const Eigen::Matrix3d target_from_source_rotation = Eigen::umeyama(from, to, false).topLeftCorner<3, 3>();
+    from.rowwise() -= from.colwise().mean().eval();
+    const Eigen::Matrix3d target_from_source_rotation = fit_rotation(to.transpose() * from).rotation;
     const double angle = Eigen::AngleAxisd(target_from_source_rotation).angle();
     if (!std::isfinite(angle) || angle < 40 * degree) return source_view;
     return source_view * target_from_source_rotation.transpose();

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/symmetric_eigen.hpp"
+
 #include <counterpart/align/rigid.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/transfer/fit_transform.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <fmt/format.h>
 
@@ -13,8 +14,7 @@ namespace {
 
 // The number of directions in which the points spread, from their 3 x 3 moment matrix.
 int spread(const Eigen::Matrix3d& moments) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d& values = solver.eigenvalues();
+    const Eigen::Vector3d values = symmetric_eigen(moments).values;
     int directions = 0;
     for (int i = 0; i < 3; ++i) directions += values[i] > 1e-12 * values[2] && values[i] > 0 ? 1 : 0;
     return directions;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/rotation.hpp"
 #include "view/base64.hpp"
 #include "view/page_template.hpp"
 #include "view/scene_buffer.hpp"
@@ -11,7 +12,6 @@
 #include <string_view>
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -90,11 +90,7 @@ Eigen::Quaterniond source_from_target_rotation(const TriangleMesh& source, const
         covariance +=
             (source.vertices.row(v) - source_mean).transpose() * (target.vertices.row(image) - target_mean);
     }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-    if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) signs[2] = -1;
-    const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-    return Eigen::Quaterniond(rotation).normalized();
+    return Eigen::Quaterniond(fit_rotation(covariance).rotation).normalized();
 }
 
 Eigen::Quaterniond upright(UpAxis up) {

@@ -4,6 +4,7 @@
 
 #include "numerics/assignment.hpp"
 #include "numerics/nearest_neighbors.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +13,6 @@
 #include <numeric>
 #include <tuple>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace counterpart {
@@ -134,9 +134,7 @@ class GreedyAssignment {
 };
 
 Eigen::Matrix3d principal_axes(const Points& centered) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-        Eigen::Matrix3d(centered.transpose() * centered));
-    Eigen::Matrix3d axes = solver.eigenvectors();
+    Eigen::Matrix3d axes = symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered)).vectors;
     if (axes.determinant() < 0) axes.col(0) *= -1;
     return axes;
 }

@@ -4,10 +4,10 @@
 
 #include "base/parallel.hpp"
 #include "numerics/rotation.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <array>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace counterpart::spectral_match {
@@ -17,10 +17,10 @@ namespace {
 MatrixF in_principal_axes(const MatrixF& positions) {
     const Eigen::MatrixXd centered =
         positions.cast<double>().rowwise() - positions.cast<double>().colwise().mean();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(centered.transpose() * centered);
-    Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();
+    const auto spread = symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered));
+    Eigen::Matrix3d axes = spread.vectors.rowwise().reverse();
     if (axes.determinant() < 0) axes.col(2) *= -1;
-    const double largest = std::max(solver.eigenvalues()[2], 1e-20) / static_cast<double>(positions.rows());
+    const double largest = std::max(spread.values[2], 1e-20) / static_cast<double>(positions.rows());
     return (centered * axes / std::sqrt(largest)).cast<float>();
 }
 

@@ -43,23 +43,28 @@ double rigid_residual(const MatrixF& from, const MatrixF& to, const std::vector<
     for (std::size_t s = 0; s + 1 < near.first.size(); ++s) {
         const auto n = static_cast<int>(near.first[s + 1] - near.first[s]);
         if (n < least) continue;
-        Eigen::Matrix3f moments = Eigen::Matrix3f::Zero();
-        Eigen::RowVector3f sum_x = Eigen::RowVector3f::Zero(), sum_y = sum_x;
-        float squares = 0;
         // About one of the points, so that single precision is enough.
-        const Eigen::RowVector3f origin_x = from.row(near.samples[near.first[s]]);
-        const Eigen::RowVector3f origin_y =
-            to.row(map[static_cast<std::size_t>(near.samples[near.first[s]])]);
+        const Index center = near.samples[near.first[s]];
+        const float* const origin_x = from.row(center).data();
+        const float* const origin_y = to.row(map[static_cast<std::size_t>(center)]).data();
+        float sums[3][3] = {}, sum_x[3] = {}, sum_y[3] = {}, squares = 0;
         for (std::size_t i = near.first[s]; i < near.first[s + 1]; ++i) {
-            const Eigen::RowVector3f x = from.row(near.samples[i]) - origin_x;
-            const Eigen::RowVector3f y = to.row(map[static_cast<std::size_t>(near.samples[i])]) - origin_y;
-            moments += x.transpose() * y;
-            squares += x.squaredNorm() + y.squaredNorm();
-            sum_x += x;
-            sum_y += y;
+            const float* const at_x = from.data() + 3 * near.samples[i];
+            const float* const at_y = to.data() + 3 * map[static_cast<std::size_t>(near.samples[i])];
+            for (int r = 0; r < 3; ++r) {
+                const float x = at_x[r] - origin_x[r], y = at_y[r] - origin_y[r];
+                sum_x[r] += x;
+                sum_y[r] += y;
+                squares += x * x + y * y;
+                for (int c = 0; c < 3; ++c) sums[r][c] += x * (at_y[c] - origin_y[c]);
+            }
         }
-        moments -= sum_x.transpose() * sum_y / static_cast<float>(n);
-        squares -= (sum_x.squaredNorm() + sum_y.squaredNorm()) / static_cast<float>(n);
+        Eigen::Matrix3f moments;
+        for (int r = 0; r < 3; ++r) {
+            squares -= (sum_x[r] * sum_x[r] + sum_y[r] * sum_y[r]) / static_cast<float>(n);
+            for (int c = 0; c < 3; ++c)
+                moments(r, c) = sums[r][c] - sum_x[r] * sum_y[c] / static_cast<float>(n);
+        }
         if (squares <= 0) continue;
         sum += 1 - 2 * attained(moments.cast<double>()) / squares;
         ++count;

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "geodesic/dijkstra.hpp"
 #include "match/spectral/partition.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
@@ -21,7 +22,6 @@
 #include <numeric>
 #include <span>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace counterpart::spectral_match {
@@ -86,7 +86,7 @@ void find_extremities(Shape& shape, const DistanceGraph& graph) {
 // All normals along one line.
 bool is_flat(const Shape& shape) {
     const Eigen::Matrix3d spread = shape.normals.transpose() * shape.basis.mass.asDiagonal() * shape.normals;
-    const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues();
+    const Eigen::Vector3d values = symmetric_eigen(spread).values;
     return values[0] + values[1] < 1e-6 * values[2];
 }
 
