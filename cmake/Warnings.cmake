@@ -4,6 +4,8 @@ function(counterpart_configure_target target)
     -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wshadow -Wnon-virtual-dtor
     # Eigen's expression templates trigger GCC 12's false positives of these two at -O3.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-array-bounds>
+    # The viewer's page is one literal.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>
     # The same bytes out on every x86-64 machine: no contraction into fused multiply-adds.
     -ffp-contract=off)
   if(COUNTERPART_WERROR)

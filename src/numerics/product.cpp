@@ -106,7 +106,7 @@ MatrixF multiply(Index rows, Index inner, const LeftEntry& left_entry, const Mat
     const Machine machine = this_machine();
     const auto columns = static_cast<Index>(b.cols());
     const Panels left(rows, inner, tile_rows, left_entry);
-    const Panels right(columns, inner, 2 * machine.lanes, [&](Index j, Index k) { return b(k, j); });
+    const Panels right(columns, inner, 2 * machine.lanes, [&](Index j, Index k) { return b.coeff(k, j); });
     MatrixF result = MatrixF::Zero(rows, columns);
     parallel_for(static_cast<std::size_t>(right.count), 1,
                  [&](std::size_t q) { machine.multiply(left, right, static_cast<Index>(q), result); });
@@ -117,14 +117,14 @@ MatrixF multiply(Index rows, Index inner, const LeftEntry& left_entry, const Mat
 
 MatrixF product(const MatrixF& a, const MatrixF& b) {
     return multiply(
-        static_cast<Index>(a.rows()), static_cast<Index>(a.cols()), [&](Index i, Index k) { return a(i, k); },
-        b);
+        static_cast<Index>(a.rows()), static_cast<Index>(a.cols()),
+        [&](Index i, Index k) { return a.coeff(i, k); }, b);
 }
 
 MatrixF transposed_product(const MatrixF& a, const MatrixF& b) {
     return multiply(
-        static_cast<Index>(a.cols()), static_cast<Index>(a.rows()), [&](Index i, Index k) { return a(k, i); },
-        b);
+        static_cast<Index>(a.cols()), static_cast<Index>(a.rows()),
+        [&](Index i, Index k) { return a.coeff(k, i); }, b);
 }
 
 }  // namespace counterpart

@@ -40,8 +40,7 @@ AutomorphismGroup trivial_group(Flag root) {
 class Search {
   public:
     Search(const CombinatorialMap& map, Index island, Flag root)
-        : map_(map),
-          walker_(map, map),
+        : walker_(map, map),
           island_(island),
           root_(root),
           first_(map.island_begin[static_cast<std::size_t>(island)]),
@@ -123,7 +122,6 @@ class Search {
         for (const Flag g : queue) bad_[place(g)] = 1;
     }
 
-    const CombinatorialMap& map_;
     Walker walker_;
     Index island_;
     Flag root_;

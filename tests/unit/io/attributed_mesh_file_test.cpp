@@ -132,13 +132,10 @@ TEST(AttributedMeshFile, ACharacterKeepsItsSeamInObjAndPly) {
         EXPECT_LT(difference(after.texture_coordinates[0], uv), 1e-6) << name;
         EXPECT_EQ(rows_in_use(after.texture_coordinates[0]), rows_in_use(uv)) << name;
         ASSERT_EQ(after.colors.size(), 1U) << name;
-        EXPECT_LT((after.colors[0].values.row(after.colors[0].corners(5, 1)) -
-                   content.colors[0].values.row(content.colors[0].corners(5, 1)))
-                      .head<3>()
-                      .cwiseAbs()
-                      .maxCoeff(),
-                  1e-6)
-            << name;
+        const auto color = [](const AttributedMesh& mesh) -> Eigen::RowVector3d {
+            return mesh.colors[0].values.row(mesh.colors[0].corners(5, 1)).head<3>();
+        };
+        EXPECT_LT((color(after) - color(content)).cwiseAbs().maxCoeff(), 1e-6) << name;
     }
 }
 
