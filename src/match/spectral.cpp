@@ -60,7 +60,7 @@ void add_alternatives(SpectralResult& result, const SampledPair& pair,
                       const std::vector<Candidate>& candidates, int count) {
     for (std::size_t i = 1; i < candidates.size() && i <= static_cast<std::size_t>(count); ++i) {
         const PairedMaps maps = match_points_nearby(pair.a, pair.b, candidates[i].functional,
-                                                    spread(pair.a, pair.b, candidates[i].maps), 2);
+                                                    spread(pair.a, pair.b, candidates[i].maps), 1);
         result.alternatives.push_back({vertex_map(maps.b_from_a, pair.b), candidates[i].scores.total,
                                        describe(pair, candidates[0], candidates[i])});
     }

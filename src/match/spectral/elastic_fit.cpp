@@ -7,6 +7,7 @@
 
 #include <counterpart/base/errors.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include <Eigen/SparseCholesky>
@@ -36,31 +37,48 @@ ElasticFit::~ElasticFit() = default;
 
 namespace {
 
-// The rotation that best turns the rest neighbourhood of each vertex into the present one, followed from the
-// one before.
-void follow_rotations(std::vector<Eigen::Matrix3d>& rotations, const SparseMatrix& stiffness,
-                      const Points& rest, const Points& now) {
-    parallel_for(rotations.size(), 256, [&](std::size_t i) {
+// The rotation and scale that best take the rest neighbourhood of each vertex into the present one: limbs of
+// two individuals are not equally thick. Bounded, so that nothing vanishes.
+struct Similarity {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    double scale = 1;
+
+    Eigen::Matrix3d linear() const { return scale * rotation; }
+};
+
+// Rotations are followed from the ones before.
+void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness, const Points& rest,
+            const Points& now) {
+    constexpr double smallest = 0.3, largest = 3;
+    parallel_for(similarities.size(), 256, [&](std::size_t i) {
         const auto v = static_cast<Eigen::Index>(i);
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+        double squares = 0;
         for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
             if (it.row() == v) continue;
-            covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() *
-                          (rest.row(it.row()) - rest.row(v));
+            const Eigen::RowVector3d before = rest.row(it.row()) - rest.row(v);
+            covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() * before;
+            squares -= it.value() * before.squaredNorm();
         }
-        rotations[i] = follow_rotation(covariance, Eigen::Quaterniond(rotations[i])).toRotationMatrix();
+        Similarity& similarity = similarities[i];
+        similarity.rotation =
+            follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation)).toRotationMatrix();
+        if (squares > 0)
+            similarity.scale =
+                std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares, smallest, largest);
     });
 }
 
-// sum_j w_ij (R_i + R_j) / 2 (rest_i - rest_j) for every i.
-Points rotated_differences(const SparseMatrix& stiffness, const Points& rest,
-                           const std::vector<Eigen::Matrix3d>& rotations) {
+// sum_j w_ij (s_i R_i + s_j R_j) / 2 (rest_i - rest_j) for every i.
+Points moved_differences(const SparseMatrix& stiffness, const Points& rest,
+                         const std::vector<Similarity>& similarities) {
     Points result = Points::Zero(rest.rows(), 3);
-    parallel_for(rotations.size(), 256, [&](std::size_t i) {
+    parallel_for(similarities.size(), 256, [&](std::size_t i) {
         const auto v = static_cast<Eigen::Index>(i);
         for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
             if (it.row() == v) continue;
-            const Eigen::Matrix3d mean = (rotations[i] + rotations[static_cast<std::size_t>(it.row())]) / 2;
+            const Eigen::Matrix3d mean =
+                (similarities[i].linear() + similarities[static_cast<std::size_t>(it.row())].linear()) / 2;
             result.row(v) -= it.value() * (rest.row(v) - rest.row(it.row())) * mean.transpose();
         }
     });
@@ -72,11 +90,11 @@ Points rotated_differences(const SparseMatrix& stiffness, const Points& rest,
 Points ElasticFit::operator()(const Points& towards, const Points& start, int iterations) const {
     Points now = start;
     const Eigen::MatrixXd pulled = system_->pull.asDiagonal() * towards;
-    std::vector<Eigen::Matrix3d> rotations(static_cast<std::size_t>(now.rows()), Eigen::Matrix3d::Identity());
+    std::vector<Similarity> similarities(static_cast<std::size_t>(now.rows()));
     for (int i = 0; i < iterations; ++i) {
-        follow_rotations(rotations, system_->stiffness, system_->rest, now);
+        follow(similarities, system_->stiffness, system_->rest, now);
         const Eigen::MatrixXd right =
-            pulled + rotated_differences(system_->stiffness, system_->rest, rotations);
+            pulled + moved_differences(system_->stiffness, system_->rest, similarities);
         now = system_->factor.solve(right);
     }
     return now;

@@ -119,7 +119,9 @@ PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const 
     const MatrixF place_b =
         beside(features_b, b.mesh.vertices, options.position_weight, b.normals, options.normal_weight);
     Points moved;
-    for (int round = 0; round < options.rounds; ++round) {
+    const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > 3 * large_mesh;
+    const int n_rounds = is_huge ? options.rounds_if_huge : options.rounds;
+    for (int round = 0; round < n_rounds; ++round) {
         functional = fit_functional_maps(a.all, b.all, maps, options.last, true);
         const Points images = positions_of_images(b, maps.b_from_a);
         moved = fit(images, round == 0 ? images : moved, options.iterations);

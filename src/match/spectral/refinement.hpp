@@ -10,11 +10,12 @@ namespace counterpart::spectral_match {
 struct RefineOptions {
     int last = 200;                  ///< eigenfunctions of the last steps
     float feature_weight = 5;        ///< of curvature and wave kernel, each of variance 1
-    float position_weight = 100;     ///< of positions after an elastic fit of A to its images
+    float position_weight = 200;     ///< of positions after an elastic fit of A to its images
     float normal_weight = 20;        ///< of the normals there
-    double stiffness_length = 0.15;  ///< the fit is rigid below this size
+    double stiffness_length = 0.08;  ///< the fit keeps shapes below this size
     int iterations = 8;              ///< of the elastic fit in a round
     int rounds = 6;
+    int rounds_if_huge = 2;  ///< above three times `large_mesh` vertices
 };
 
 /// The map of a candidate from `choose` carried to all vertices of both shapes.

@@ -102,6 +102,7 @@ Vector clamped(const Vector& values) {
 // Each column's values replaced by the share of the area that has less, minus a half: the same distribution
 // on every shape, which no single feature can dominate.
 Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
+    const double area = mass.sum();
     std::vector<Index> order(static_cast<std::size_t>(values.rows()));
     for (Eigen::Index j = 0; j < values.cols(); ++j) {
         std::iota(order.begin(), order.end(), 0);
@@ -110,7 +111,7 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
         double below = 0;
         Vector rank(values.rows());
         for (const Index v : order) {
-            rank[v] = (below + mass[v] / 2) / mass.sum() - 0.5;
+            rank[v] = (below + mass[v] / 2) / area - 0.5;
             below += mass[v];
         }
         values.col(j) = rank;
