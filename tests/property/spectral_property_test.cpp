@@ -17,7 +17,7 @@
 namespace counterpart {
 namespace {
 
-const SpectralShapeOptions small{.basis_size = 60, .n_samples = 300};
+const SpectralShapeOptions small{.basis_size = 60, .n_samples = 200};
 constexpr double most_change = 0.3;
 
 // The target's positions in the rest pose tell how far a vertex is from where it belongs.

@@ -35,7 +35,7 @@ TriangleMesh bumpy_sphere(int subdivisions) {
     return mesh;
 }
 
-const SpectralShapeOptions small{.basis_size = 60, .n_samples = 300};
+const SpectralShapeOptions small{.basis_size = 60, .n_samples = 200};
 
 double mean_error(const VertexMap& map, const VertexMap& truth, const TriangleMesh& target) {
     double sum = 0;
