@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "match/spectral/choice.hpp"
 #include "match/spectral/doubts.hpp"
 #include "match/spectral/judgement.hpp"
 #include "match/spectral/local_search.hpp"

@@ -17,20 +17,17 @@ namespace counterpart::spectral_match {
 struct ElasticFit::System {
     Points rest;
     SparseMatrix stiffness;
-    Vector pull;  // mu m_i
+    Vector mass;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
 };
 
-ElasticFit::ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, double stiffness_length)
+ElasticFit::ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian)
     : system_(std::make_unique<System>()) {
     system_->rest = rest;
     system_->stiffness = laplacian.stiffness;
-    system_->pull = laplacian.mass / (stiffness_length * stiffness_length);
-    SparseMatrix sum = system_->stiffness;
-    for (Eigen::Index v = 0; v < rest.rows(); ++v) sum.coeffRef(v, v) += system_->pull[v];
-    system_->factor.compute(sum);
-    if (system_->factor.info() != Eigen::Success)
-        throw NumericalError("the elastic system cannot be factorized");
+    system_->mass = laplacian.mass;
+    for (Eigen::Index v = 0; v < rest.rows(); ++v) system_->stiffness.coeffRef(v, v) += 0;  // in the pattern
+    system_->factor.analyzePattern(system_->stiffness);
 }
 
 ElasticFit::~ElasticFit() = default;
@@ -87,9 +84,16 @@ Points moved_differences(const SparseMatrix& stiffness, const Points& rest,
 
 }  // namespace
 
-Points ElasticFit::operator()(const Points& towards, const Points& start, int iterations) const {
+Points ElasticFit::operator()(const Points& towards, const Points& start, double stiffness_length,
+                              int iterations) {
+    const Vector pull = system_->mass / (stiffness_length * stiffness_length);
+    SparseMatrix sum = system_->stiffness;
+    for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
+    system_->factor.factorize(sum);
+    if (system_->factor.info() != Eigen::Success)
+        throw NumericalError("the elastic system cannot be factorized");
     Points now = start;
-    const Eigen::MatrixXd pulled = system_->pull.asDiagonal() * towards;
+    const Eigen::MatrixXd pulled = pull.asDiagonal() * towards;
     std::vector<Similarity> similarities(static_cast<std::size_t>(now.rows()));
     for (int i = 0; i < iterations; ++i) {
         follow(similarities, system_->stiffness, system_->rest, now);

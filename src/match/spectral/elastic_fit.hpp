@@ -9,18 +9,16 @@
 namespace counterpart::spectral_match {
 
 /// Moves a surface towards given positions while its neighbourhoods stay as similar as possible (Sorkine and
-/// Alexa 2007, with soft positions and a scale for each neighbourhood). Keeps the factorized system, so
-/// further fits of one surface are cheap.
+/// Alexa 2007, with soft positions and a scale for each neighbourhood).
 class ElasticFit {
   public:
-    /// Positions are followed on features longer than `stiffness_length`, similarity holds below it. Mesh
-    /// units.
-    ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, double stiffness_length);
+    ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian);
     ~ElasticFit();
 
     /// Lowers sum w_ij |(x_i - x_j) - s_i R_i (rest_i - rest_j)|^2 + mu sum m_i |x_i - towards_i|^2 in turns
-    /// over similarities and positions, from x = `start`.
-    Points operator()(const Points& towards, const Points& start, int iterations) const;
+    /// over similarities and positions, from x = `start`. Positions are followed on features longer than
+    /// `stiffness_length` = mu^-1/2, in mesh units; neighbourhoods stay similar below it.
+    Points operator()(const Points& towards, const Points& start, double stiffness_length, int iterations);
 
   private:
     struct System;

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/refinement.hpp"
 
-#include "base/parallel.hpp"
-#include "match/spectral/crossover.hpp"
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/local_search.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
-#include <iterator>
+#include <cmath>
+
+#include <tbb/parallel_invoke.h>
 
 namespace counterpart::spectral_match {
 namespace {
-
-constexpr int chosen_size = 150;  // functions among which the best candidate is chosen
 
 // Curvature at four scales and eight wave kernel columns, each of mean 0 and variance 1.
 MatrixF features(const Shape& shape, float weight) {
@@ -31,117 +29,71 @@ MatrixF features(const Shape& shape, float weight) {
     return all.cast<float>() * weight;
 }
 
-Points positions_of_images(const Shape& b, const std::vector<Index>& b_from_a) {
-    Points positions(static_cast<Eigen::Index>(b_from_a.size()), 3);
-    for (std::size_t v = 0; v < b_from_a.size(); ++v)
-        positions.row(static_cast<Eigen::Index>(v)) = b.mesh.vertices.row(b_from_a[v]);
-    return positions;
-}
-
-MatrixF beside(const MatrixF& x, const Points& positions, float position_weight, const Points& normals,
-               float normal_weight) {
-    MatrixF all(x.rows(), x.cols() + 6);
-    all << x, positions.cast<float>() * position_weight, normals.cast<float>() * normal_weight;
+// Positions and normals, weighted.
+MatrixF placement(const Points& positions, const Points& normals, const RefineOptions& options) {
+    MatrixF all(positions.rows(), 6);
+    all << positions.cast<float>() * options.position_weight, normals.cast<float>() * options.normal_weight;
     return all;
 }
 
-// Candidates carried on to more functions on the samples of `pair`, best first. Scores are of the functional
-// maps between the first `scored_size` functions.
-void grow_all(std::vector<Candidate>& candidates, const SampledPair& pair, const std::vector<int>& sizes,
-              bool masked, int scored_size, const ScoreWeights& weights) {
-    parallel_for(candidates.size(), 1, [&](std::size_t i) {
-        Candidate& candidate = candidates[i];
-        candidate.maps = match_points(pair.points_a, pair.points_b, candidate.functional);
-        candidate.maps = zoom_out(pair.points_a, pair.points_b, std::move(candidate.maps), sizes, masked);
-        candidate.functional =
-            fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, sizes.back(), masked);
-        candidate.scores = score_maps(
-            pair, candidate.maps,
-            fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, scored_size, false), weights);
-    });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
-}
+// A surface on its way to where the other one is.
+class BentSurface {
+  public:
+    BentSurface(const Shape& shape, const Shape& other)
+        : shape_(shape), other_(other), fit_(shape.mesh.vertices, shape.laplacian) {}
 
-const std::vector<int> middle_sizes{40, 50, 60, 80};
-
-// Those of the best candidate with each other one, all different.
-std::vector<Candidate> children_of_best(const std::vector<Candidate>& candidates, const SampledPair& pair) {
-    constexpr double least_difference = 0.01;
-    const MapDistance distance(pair);
-    std::vector<Candidate> children;
-    for (std::size_t other = 1; other < candidates.size(); ++other) {
-        for (Candidate& child : crossovers(pair, candidates.front(), candidates[other])) {
-            const auto same = [&](const Candidate& known) {
-                return distance(child.maps, known.maps) < least_difference;
-            };
-            if (std::none_of(children.begin(), children.end(), same)) children.push_back(std::move(child));
-        }
+    void bend(const std::vector<Index>& image, double stiffness_length, int iterations) {
+        Points images(shape_.mesh.vertices.rows(), 3);
+        for (std::size_t v = 0; v < image.size(); ++v)
+            images.row(static_cast<Eigen::Index>(v)) = other_.mesh.vertices.row(image[v]);
+        const Points start = positions_.rows() > 0 ? positions_ : images;
+        positions_ = fit_(images, start, stiffness_length, iterations);
     }
-    return children;
-}
 
-// A map may be right except for two legs, and another one have just these right: the best candidate is
-// crossed with all others for as long as that gives a better one. `few` samples sift the children.
-void improve(std::vector<Candidate>& candidates, const SampledPair& few, const SampledPair& pair) {
-    constexpr int n_rounds = 3;
-    constexpr std::size_t n_grown = 12;
-    constexpr double least_difference = 0.02;
-    const std::size_t n_kept = candidates.size();
-    const MapDistance distance(pair);
-    for (Candidate& candidate : candidates) candidate.varied = false;
-    for (int round = 0; round < n_rounds && !candidates.front().varied; ++round) {
-        candidates.front().varied = true;
-        std::vector<Candidate> children = children_of_best(candidates, pair);
-        grow_all(children, few, {35, 40}, false, 40, middle_score);
-        children.resize(std::min(children.size(), n_grown));
-        grow_all(children, pair, middle_sizes, false, 80, middle_score);
-        candidates.insert(candidates.end(), std::make_move_iterator(children.begin()),
-                          std::make_move_iterator(children.end()));
-        keep_distinct(candidates, distance, least_difference, n_kept);
+    MatrixF placement(const RefineOptions& options) const {
+        const Points normals = vertex_normals({positions_, shape_.mesh.triangles});
+        return spectral_match::placement(positions_, normals, options);
     }
+
+  private:
+    const Shape& shape_;
+    const Shape& other_;
+    ElasticFit fit_;
+    Points positions_;
+};
+
+MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
+    MatrixF all(x.rows(), x.cols() + y.cols() + z.cols());
+    all << x, y, z;
+    return all;
 }
 
 }  // namespace
 
 PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options) {
     const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
-    std::vector<int> sizes;
-    for (int k = chosen_size + 10; k <= options.last; k += 10) sizes.push_back(k);
-    const PairedMaps sample_maps = zoom_out(pair.points_a, pair.points_b, start.maps, sizes, true);
-    PairedFunctionalMaps functional =
-        fit_functional_maps(pair.points_a, pair.points_b, sample_maps, options.last, true);
     const MatrixF features_a = features(a, options.feature_weight),
                   features_b = features(b, options.feature_weight);
-    PairedMaps maps =
-        match_points_nearby(a, b, functional, spread(a, b, sample_maps), 2, {features_a, features_b});
-    const ElasticFit fit(a.mesh.vertices, a.laplacian, options.stiffness_length);
-    const MatrixF place_b =
-        beside(features_b, b.mesh.vertices, options.position_weight, b.normals, options.normal_weight);
-    Points moved;
+    // Not among all functions: their details would hold unlike bodies fast where isometry put them.
+    PairedMaps maps = match_points_nearby(
+        a, b, fit_functional_maps(pair.points_a, pair.points_b, start.maps, options.begin, true),
+        spread(a, b, start.maps), 2, {features_a, features_b});
+    const MatrixF own_a = placement(a.mesh.vertices, a.normals, options),
+                  own_b = placement(b.mesh.vertices, b.normals, options);
+    BentSurface bent_a(a, b), bent_b(b, a);
     const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > 3 * large_mesh;
     const int n_rounds = is_huge ? options.rounds_if_huge : options.rounds;
     for (int round = 0; round < n_rounds; ++round) {
-        functional = fit_functional_maps(a.all, b.all, maps, options.last, true);
-        const Points images = positions_of_images(b, maps.b_from_a);
-        moved = fit(images, round == 0 ? images : moved, options.iterations);
-        const Points normals = vertex_normals({moved, a.mesh.triangles});
-        maps = match_points_nearby(
-            a, b, functional, maps, 1,
-            {beside(features_a, moved, options.position_weight, normals, options.normal_weight), place_b});
+        const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
+        const double length = options.first_length * std::pow(options.last_length / options.first_length, t);
+        const int k = options.first + static_cast<int>(t * (options.last - options.first));
+        tbb::parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, options.iterations); },
+                             [&] { bent_b.bend(maps.a_from_b, length, options.iterations); });
+        maps = match_points_nearby(a, b, fit_functional_maps(a.all, b.all, maps, k, true), maps, 1,
+                                   {side_by_side(features_a, bent_a.placement(options), own_a),
+                                    side_by_side(features_b, own_b, bent_b.placement(options))});
     }
     return maps;
-}
-
-std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
-                              std::size_t count) {
-    const SampledPair middle(a, b, 600, 0.2);
-    grow_all(candidates, middle, middle_sizes, false, 80, middle_score);
-    improve(candidates, SampledPair(a, b, 300, 0.3), middle);
-    if (candidates.size() > count) candidates.resize(count);
-    const std::size_t all = std::max(a.samples.size(), b.samples.size());
-    grow_all(candidates, SampledPair(a, b, all, 0.15), {95, 110, 130, chosen_size}, true, 100, fine_score);
-    return candidates;
 }
 
 }  // namespace counterpart::spectral_match
