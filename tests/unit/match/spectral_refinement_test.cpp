@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/elastic_fit.hpp"
+#include "match/spectral/local_search.hpp"
+#include "match/spectral/refinement.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+double largest_distance(const Points& x, const Points& y) { return (x - y).rowwise().norm().maxCoeff(); }
+
+// An ellipsoid, bent upwards at its ends by `bend`.
+TriangleMesh banana(double bend, int subdivisions = 3) {
+    TriangleMesh mesh = make_icosphere(subdivisions);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        auto row = mesh.vertices.row(v);
+        row = Eigen::RowVector3d(3 * row[0], row[1], 0.8 * row[2] + bend * row[0] * row[0]);
+    }
+    return mesh;
+}
+
+TEST(SpectralElasticFit, TurnsMovesAndScalesAsAWhole) {
+    const TriangleMesh mesh = banana(0.4);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2).normalized()).toRotationMatrix();
+    const Points turned = 1.3 * mesh.vertices * turn.transpose();
+    const Points target = turned.rowwise() + Eigen::RowVector3d(5, -2, 1);
+    ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
+    for (const double length : {0.1, 10.0})
+        EXPECT_LT(largest_distance(fit(target, target, length, 5), target), 1e-6) << length;
+}
+
+TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
+    const TriangleMesh mesh = banana(0), bent = banana(0.6);
+    Points rough = bent.vertices;
+    for (Index v = 0; v < mesh.n_vertices(); ++v) rough.row(v) *= v % 2 == 0 ? 1.04 : 0.96;
+    ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
+    const double noise = largest_distance(rough, bent.vertices);
+    EXPECT_LT(largest_distance(fit(rough, rough, 0.01, 10), rough), 0.05 * noise);
+    EXPECT_LT(largest_distance(fit(rough, rough, 0.5, 10), bent.vertices), 0.6 * noise);
+    EXPECT_GT(largest_distance(fit(rough, rough, 50, 10), bent.vertices), 1.5 * noise);
+}
+
+// Maps that are off by a slide along x of up to `slide`, both ways.
+PairedMaps slid(const Shape& a, const Shape& b, double slide) {
+    const auto one = [&](const Shape& from, const Shape& to) {
+        std::vector<Index> map;
+        for (const Index s : from.samples) {
+            Eigen::RowVector3d place = from.mesh.vertices.row(s);
+            place[0] += slide * std::cos(3 * place[0]);
+            Index nearest = 0;
+            for (std::size_t t = 0; t < to.samples.size(); ++t)
+                if ((from.mesh.vertices.row(to.samples[t]) - place).squaredNorm() <
+                    (from.mesh.vertices.row(to.samples[static_cast<std::size_t>(nearest)]) - place)
+                        .squaredNorm())
+                    nearest = static_cast<Index>(t);
+            map.push_back(nearest);
+        }
+        return map;
+    };
+    return {one(a, b), one(b, a)};
+}
+
+double mean_distance_from_identity(const Shape& shape, const std::vector<Index>& map) {
+    double sum = 0;
+    for (std::size_t v = 0; v < map.size(); ++v)
+        sum += (shape.mesh.vertices.row(static_cast<Index>(v)) - shape.mesh.vertices.row(map[v])).norm();
+    return sum / static_cast<double>(map.size());
+}
+
+TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
+    const ShapeOptions options{.n_functions = 100, .n_samples = 300};
+    // Same numbers on both, so that the truth is the identity.
+    const Shape a = prepare(banana(0.1), options), b = prepare(banana(0.5), options);
+    const RefineOptions refine_options{.begin = 40, .last = 100, .rounds = 4};
+    Candidate start;
+    start.maps = slid(a, b, 0.1);
+    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, refine_options);
+    EXPECT_LT(mean_distance_from_identity(b, after.b_from_a),
+              0.4 * mean_distance_from_identity(b, before.b_from_a));
+    std::swap(start.maps.b_from_a, start.maps.a_from_b);
+    const PairedMaps swapped = refine(b, a, start, refine_options);
+    std::size_t same = 0;
+    for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
+        same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;
+    EXPECT_GT(same, after.b_from_a.size() * 98 / 100);  // rounding
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
