@@ -31,51 +31,54 @@ void grow_all(std::vector<Candidate>& candidates, const SampledPair& pair, const
 
 const std::vector<int> middle_sizes{40, 50, 60, 80};
 
-// Those of the best candidate with each other one, all different.
-std::vector<Candidate> children_of_best(const std::vector<Candidate>& candidates, const SampledPair& pair) {
+// Of `base` with each of `others`, all different.
+std::vector<Candidate> children(const Candidate& base, const std::vector<Candidate>& others,
+                                const SampledPair& pair, const MapDistance& distance) {
     constexpr double least_difference = 0.01;
-    const MapDistance distance(pair);
-    std::vector<Candidate> children;
-    for (std::size_t other = 1; other < candidates.size(); ++other) {
-        for (Candidate& child : crossovers(pair, candidates.front(), candidates[other])) {
+    std::vector<Candidate> result;
+    for (const Candidate& other : others) {
+        for (Candidate& child : crossovers(pair, base, other)) {
             const auto same = [&](const Candidate& known) {
                 return distance(child.maps, known.maps) < least_difference;
             };
-            if (std::none_of(children.begin(), children.end(), same)) children.push_back(std::move(child));
+            if (std::none_of(result.begin(), result.end(), same)) result.push_back(std::move(child));
         }
     }
-    return children;
+    return result;
 }
 
-// A map may be right except for two legs, and another one have just these right: the best candidate is
-// crossed with all others for as long as that gives a better one. `few` samples sift the children.
-void improve(std::vector<Candidate>& candidates, const SampledPair& few, const SampledPair& pair) {
+// A map may be right except for two legs, and another one have just these right: it is crossed with all
+// others for as long as that gives a better one. `few` samples sift the children.
+Candidate improved(Candidate best, const std::vector<Candidate>& others, const SampledPair& few,
+                   const SampledPair& pair) {
     constexpr int n_rounds = 3;
-    constexpr std::size_t n_grown = 12;
-    constexpr double least_difference = 0.02;
-    const std::size_t n_kept = candidates.size();
+    constexpr std::size_t n_grown = 6;
     const MapDistance distance(pair);
-    for (Candidate& candidate : candidates) candidate.varied = false;
-    for (int round = 0; round < n_rounds && !candidates.front().varied; ++round) {
-        candidates.front().varied = true;
-        std::vector<Candidate> children = children_of_best(candidates, pair);
-        grow_all(children, few, {35, 40}, false, 40, middle_score);
-        children.resize(std::min(children.size(), n_grown));
-        grow_all(children, pair, middle_sizes, false, 80, middle_score);
-        candidates.insert(candidates.end(), std::make_move_iterator(children.begin()),
-                          std::make_move_iterator(children.end()));
-        keep_distinct(candidates, distance, least_difference, n_kept);
+    for (int round = 0; round < n_rounds; ++round) {
+        std::vector<Candidate> born = children(best, others, pair, distance);
+        grow_all(born, few, {35, 40}, false, 40, middle_score);
+        born.resize(std::min(born.size(), n_grown));
+        grow_all(born, pair, middle_sizes, false, 80, middle_score);
+        if (born.empty() || born.front().scores.total <= best.scores.total) break;
+        best = std::move(born.front());
     }
+    return best;
 }
 
 }  // namespace
 
 std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
                               std::size_t count) {
-    const SampledPair middle(a, b, 600, 0.2);
+    constexpr std::size_t n_families = 8, n_improved = 3;
+    constexpr double least_difference = 0.08;
+    const SampledPair middle(a, b, 600, 0.2), few(a, b, 300, 0.3);
     grow_all(candidates, middle, middle_sizes, false, 80, middle_score);
-    improve(candidates, SampledPair(a, b, 300, 0.3), middle);
-    if (candidates.size() > count) candidates.resize(count);
+    const MapDistance distance(middle);
+    keep_distinct(candidates, distance, least_difference, n_families);
+    const std::vector<Candidate> families = candidates;
+    for (std::size_t i = 0; i < std::min(n_improved, candidates.size()); ++i)
+        candidates[i] = improved(candidates[i], families, few, middle);
+    keep_distinct(candidates, distance, least_difference, count);
     const std::size_t all = std::max(a.samples.size(), b.samples.size());
     grow_all(candidates, SampledPair(a, b, all, 0.15), {95, 110, 130, 150}, true, 100, fine_score);
     return candidates;

@@ -44,8 +44,8 @@ struct ScoreWeights {
     int curvature_scale;  // 0 = finest .. 3
     double orientation, orthogonality, commutativity, rigidity;
 };
-constexpr ScoreWeights coarse_score{2, 0.15, 2.5, 0, 0.7}, middle_score{1, 0.25, 0, 3, 1},
-    fine_score{0, 0.25, 0, 3, 1};
+constexpr ScoreWeights coarse_score{2, 0.15, 2.5, 0, 0.7}, middle_score{1, 0.25, 0, 10, 2},
+    fine_score{0, 0.25, 0, 10, 2};
 
 /// Scores of maps between the samples and the functional maps fitted to them.
 Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedFunctionalMaps& functional,
