@@ -23,8 +23,8 @@ namespace {
 
 using namespace spectral_match;
 
-constexpr double close_margin = 0.03, poor_score = 0.5, mirror_margin = 0.1;
-constexpr double least_difference = 0.02;  // mean distance of maps that are not the same, at unit area
+constexpr double close_margin = 0.05, poor_score = 0.2, mirror_margin = 0.1;
+constexpr double least_difference = 0.05;  // mean distance of maps that are not the same, at unit area
 
 ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)
@@ -105,7 +105,7 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     result.score = best.scores.total;
     result.margin = candidates.size() > 1 ? result.score - candidates[1].scores.total
                                           : std::numeric_limits<double>::infinity();
-    result.confidence = confidence(source, target, maps, result.score);
+    result.confidence = confidence(source, target, maps, candidates);
     add_alternatives(result, pair, candidates, options.n_alternatives);
     result.target_from_source = vertex_map(std::move(maps.b_from_a), target);
     result.source_from_target = vertex_map(std::move(maps.a_from_b), source);

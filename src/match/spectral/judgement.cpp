@@ -11,9 +11,45 @@
 
 namespace counterpart::spectral_match {
 
-Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double score) {
+namespace {
+
+// How far the map as a whole deserves trust.
+double trust(double score) {
+    constexpr double doubtful = 0.3,
+                     width =
+                         0.1;  // right maps of people score 0.8 to 1.2, wrong ones of unlike animals below
+    return 1 / (1 + std::exp(-(score - doubtful) / width));
+}
+
+// For every sample of A the share of those candidates, by likelihood, that take it where the best one does.
+Vector agreement(const Shape& b, const std::vector<Candidate>& candidates) {
+    constexpr double temperature = 0.03, same_place = 0.15;
+    const std::vector<Index>& best = candidates.front().maps.b_from_a;
+    const auto place = [&](Index sample) {
+        return b.mesh.vertices.row(b.samples[static_cast<std::size_t>(sample)]);
+    };
+    const auto n = static_cast<Eigen::Index>(best.size());
+    Vector agreeing = Vector::Zero(n), all = Vector::Zero(n);
+    for (const Candidate& candidate : candidates) {
+        const double likelihood =
+            std::exp((candidate.scores.total - candidates.front().scores.total) / temperature);
+        all.array() += likelihood;
+        for (Eigen::Index s = 0; s < n; ++s) {
+            const auto i = static_cast<std::size_t>(s);
+            if ((place(candidate.maps.b_from_a[i]) - place(best[i])).norm() < same_place)
+                agreeing[s] += likelihood;
+        }
+    }
+    return agreeing.cwiseQuotient(all);
+}
+
+}  // namespace
+
+Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps,
+                  const std::vector<Candidate>& candidates) {
     const Adjacency adjacency(a.mesh);
-    const double whole = 1 / (1 + std::exp(-(score - 0.62) / 0.1));
+    const double whole = trust(candidates.front().scores.total);
+    const Vector agreeing = agreement(b, candidates);
     Vector result(a.mesh.n_vertices());
     for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
         const Index image = maps.b_from_a[static_cast<std::size_t>(v)];
@@ -28,7 +64,8 @@ Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps, double
             tear = std::max(tear, after - 2 * before);
         }
         const double doubt = (cycle + tear) / 0.08;
-        result[v] = whole * std::exp(-doubt * doubt);
+        result[v] =
+            whole * agreeing[a.cell_of_vertex[static_cast<std::size_t>(v)]] * std::exp(-doubt * doubt);
     }
     return result;
 }
