@@ -99,7 +99,7 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
 
     SpectralResult result;
     const Candidate& best = candidates.front();
-    PairedMaps maps = refine(source, target, best);
+    PairedMaps maps = refine(source, target, best).maps;
     watch.lap("refine");
     report(options.progress, 0.95);
     result.score = best.scores.total;

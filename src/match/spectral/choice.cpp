@@ -4,12 +4,16 @@
 
 #include "base/parallel.hpp"
 #include "match/spectral/crossover.hpp"
+#include "match/spectral/refinement.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace counterpart::spectral_match {
 namespace {
+
+bool by_score(const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; }
 
 // Candidates carried on to more functions on the samples of `pair`, best first. Scores are of the functional
 // maps between the first `scored_size` functions.
@@ -25,8 +29,7 @@ void grow_all(std::vector<Candidate>& candidates, const SampledPair& pair, const
             pair, candidate.maps,
             fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, scored_size, false), weights);
     });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
+    std::stable_sort(candidates.begin(), candidates.end(), by_score);
 }
 
 const std::vector<int> middle_sizes{40, 50, 60, 80};
@@ -65,6 +68,26 @@ Candidate improved(Candidate best, const std::vector<Candidate>& others, const S
     return best;
 }
 
+// Where scores are too close to tell, the surfaces are bent onto each other for each: the wrong map strains
+// them more. Scores of those that were tried are changed relative to the first one.
+void try_out_close_ones(std::vector<Candidate>& candidates, const Shape& a, const Shape& b) {
+    constexpr double close = 0.05, weight = 0.2, least_strain = 1e-4;
+    constexpr std::size_t n_tried = 3;
+    constexpr RefineOptions quick{.last = 80, .last_length = 0.1, .iterations = 8, .rounds = 3};
+    std::size_t count = 1;
+    while (count < std::min(candidates.size(), n_tried) &&
+           candidates[count].scores.total > candidates[0].scores.total - close)
+        ++count;
+    if (count < 2) return;
+    std::vector<double> strains(count);
+    parallel_for(count, 1, [&](std::size_t i) {
+        strains[i] = std::max(refine(a, b, candidates[i], quick).strain, least_strain);
+    });
+    for (std::size_t i = 1; i < count; ++i)
+        candidates[i].scores.total -= weight * std::log(strains[i] / strains[0]);
+    std::stable_sort(candidates.begin(), candidates.end(), by_score);
+}
+
 }  // namespace
 
 std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
@@ -81,6 +104,7 @@ std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candid
     keep_distinct(candidates, distance, least_difference, count);
     const std::size_t all = std::max(a.samples.size(), b.samples.size());
     grow_all(candidates, SampledPair(a, b, all, 0.15), {95, 110, 130, 150}, true, 100, fine_score);
+    try_out_close_ones(candidates, a, b);
     return candidates;
 }
 

@@ -104,4 +104,21 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
     return now;
 }
 
+double ElasticFit::strain(const Points& now) const {
+    std::vector<Similarity> similarities(static_cast<std::size_t>(now.rows()));
+    follow(similarities, system_->stiffness, system_->rest, now);
+    double left = 0, all = 0;
+    for (std::size_t i = 0; i < similarities.size(); ++i) {
+        const auto v = static_cast<Eigen::Index>(i);
+        for (SparseMatrix::InnerIterator it(system_->stiffness, v); it; ++it) {
+            if (it.row() == v) continue;
+            const Eigen::RowVector3d before = system_->rest.row(it.row()) - system_->rest.row(v),
+                                     after = now.row(it.row()) - now.row(v);
+            left -= it.value() * (after - before * similarities[i].linear().transpose()).squaredNorm();
+            all -= it.value() * after.squaredNorm();
+        }
+    }
+    return all > 0 ? std::max(left / all, 0.0) : 0;
+}
+
 }  // namespace counterpart::spectral_match

@@ -20,6 +20,10 @@ class ElasticFit {
     /// `stiffness_length` = mu^-1/2, in mesh units; neighbourhoods stay similar below it.
     Points operator()(const Points& towards, const Points& start, double stiffness_length, int iterations);
 
+    /// What the best similarity of each neighbourhood leaves of `now`, relative to its size: 0 = a similarity
+    /// everywhere, 1 = nothing kept.
+    double strain(const Points& now) const;
+
   private:
     struct System;
     std::unique_ptr<System> system_;

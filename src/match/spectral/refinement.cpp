@@ -55,6 +55,8 @@ class BentSurface {
         return spectral_match::placement(positions_, normals, options);
     }
 
+    double strain() const { return fit_.strain(positions_); }
+
   private:
     const Shape& shape_;
     const Shape& other_;
@@ -70,7 +72,7 @@ MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
 
 }  // namespace
 
-PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options) {
+Refined refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options) {
     const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
     const MatrixF features_a = features(a, options.feature_weight),
                   features_b = features(b, options.feature_weight);
@@ -93,7 +95,7 @@ PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const 
                                    {side_by_side(features_a, bent_a.placement(options), own_a),
                                     side_by_side(features_b, own_b, bent_b.placement(options))});
     }
-    return maps;
+    return {std::move(maps), (bent_a.strain() + bent_b.strain()) / 2};
 }
 
 }  // namespace counterpart::spectral_match

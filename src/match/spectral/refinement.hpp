@@ -20,8 +20,13 @@ struct RefineOptions {
     int rounds_if_huge = 2;  ///< above three times `large_mesh` vertices
 };
 
+struct Refined {
+    PairedMaps maps;
+    double strain = 0;  ///< mean of the two surfaces' as they were bent last (see ElasticFit)
+};
+
 /// The map of a candidate from `choose` carried to all vertices of both shapes. Exchanging the shapes
 /// exchanges the maps.
-PairedMaps refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options = {});
+Refined refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options = {});
 
 }  // namespace counterpart::spectral_match

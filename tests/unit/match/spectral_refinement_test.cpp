@@ -48,6 +48,16 @@ TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
     EXPECT_GT(largest_distance(fit(rough, rough, 50, 10), bent.vertices), 1.5 * noise);
 }
 
+TEST(SpectralElasticFit, StrainSeesWhatIsNoSimilarity) {
+    const TriangleMesh mesh = banana(0.4);
+    const ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
+    EXPECT_LT(fit.strain(2 * mesh.vertices), 1e-9);
+    Points flat = mesh.vertices;
+    flat.col(2) *= 0.2;
+    EXPECT_GT(fit.strain(flat), 0.05);
+    EXPECT_LT(fit.strain(banana(0.5).vertices), fit.strain(banana(1.0).vertices));
+}
+
 // Maps that are off by a slide along x of up to `slide`, both ways.
 PairedMaps slid(const Shape& a, const Shape& b, double slide) {
     const auto one = [&](const Shape& from, const Shape& to) {
@@ -82,11 +92,11 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
     const RefineOptions refine_options{.begin = 40, .last = 100, .rounds = 4};
     Candidate start;
     start.maps = slid(a, b, 0.1);
-    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, refine_options);
+    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, refine_options).maps;
     EXPECT_LT(mean_distance_from_identity(b, after.b_from_a),
               0.4 * mean_distance_from_identity(b, before.b_from_a));
     std::swap(start.maps.b_from_a, start.maps.a_from_b);
-    const PairedMaps swapped = refine(b, a, start, refine_options);
+    const PairedMaps swapped = refine(b, a, start, refine_options).maps;
     std::size_t same = 0;
     for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
         same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;
