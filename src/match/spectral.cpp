@@ -24,7 +24,6 @@ namespace {
 using namespace spectral_match;
 
 constexpr double close_margin = 0.05, poor_score = 0.2, mirror_margin = 0.1;
-constexpr double least_difference = 0.05;  // mean distance of maps that are not the same, at unit area
 
 ShapeOptions checked(const SpectralShapeOptions& options) {
     if (options.basis_size < 30 || options.basis_size > 500)
@@ -91,9 +90,7 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     report(options.progress, 0.6);
     const auto n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
     candidates = choose(source, target, std::move(candidates), std::max(n_finalists, n_asked));
-    // Grown further, some have become the same map.
     const SampledPair pair(source, target, std::max(source.samples.size(), target.samples.size()), 0);
-    keep_distinct(candidates, MapDistance(pair), least_difference, n_asked + 1);
     watch.lap("choose");
     report(options.progress, 0.75);
 
@@ -105,7 +102,7 @@ SpectralResult match_shapes(const Shape& source, const Shape& target, const Spec
     result.score = best.scores.total;
     result.margin = candidates.size() > 1 ? result.score - candidates[1].scores.total
                                           : std::numeric_limits<double>::infinity();
-    result.confidence = confidence(source, target, maps, candidates);
+    result.confidence = confidence(pair, maps, candidates);
     add_alternatives(result, pair, candidates, options.n_alternatives);
     result.target_from_source = vertex_map(std::move(maps.b_from_a), target);
     result.source_from_target = vertex_map(std::move(maps.a_from_b), source);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -69,22 +68,23 @@ Candidate improved(Candidate best, const std::vector<Candidate>& others, const S
 }
 
 // Where scores are too close to tell, the surfaces are bent onto each other for each: the wrong map strains
-// them more. Scores of those that were tried are changed relative to the first one.
+// them more, and loses by it.
 void try_out_close_ones(std::vector<Candidate>& candidates, const Shape& a, const Shape& b) {
     constexpr double close = 0.05, weight = 0.2, least_strain = 1e-4;
     constexpr std::size_t n_tried = 3;
-    constexpr RefineOptions quick{.last = 80, .last_length = 0.1, .iterations = 8, .rounds = 3};
+    constexpr RefineOptions quick{
+        .last = 80, .last_length = 0.1, .iterations = 8, .rounds = 3, .rounds_if_huge = 1};
     std::size_t count = 1;
     while (count < std::min(candidates.size(), n_tried) &&
            candidates[count].scores.total > candidates[0].scores.total - close)
         ++count;
     if (count < 2) return;
     std::vector<double> strains(count);
-    parallel_for(count, 1, [&](std::size_t i) {
+    for (std::size_t i = 0; i < count; ++i)
         strains[i] = std::max(refine(a, b, candidates[i], quick).strain, least_strain);
-    });
-    for (std::size_t i = 1; i < count; ++i)
-        candidates[i].scores.total -= weight * std::log(strains[i] / strains[0]);
+    const double least = *std::min_element(strains.begin(), strains.end());
+    for (std::size_t i = 0; i < count; ++i)
+        candidates[i].scores.total -= weight * std::log(strains[i] / least);
     std::stable_sort(candidates.begin(), candidates.end(), by_score);
 }
 
@@ -93,17 +93,21 @@ void try_out_close_ones(std::vector<Candidate>& candidates, const Shape& a, cons
 std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
                               std::size_t count) {
     constexpr std::size_t n_families = 8, n_improved = 3;
-    constexpr double least_difference = 0.08;
+    constexpr double least_difference = 0.08, least_in_the_end = 0.05;
     const SampledPair middle(a, b, 600, 0.2), few(a, b, 300, 0.3);
     grow_all(candidates, middle, middle_sizes, false, 80, middle_score);
     const MapDistance distance(middle);
-    keep_distinct(candidates, distance, least_difference, n_families);
-    const std::vector<Candidate> families = candidates;
+    keep_distinct(candidates, distance, least_difference, std::max(n_families, count));
+    const std::vector<Candidate> families(
+        candidates.begin(),
+        candidates.begin() + static_cast<std::ptrdiff_t>(std::min(n_families, candidates.size())));
     for (std::size_t i = 0; i < std::min(n_improved, candidates.size()); ++i)
         candidates[i] = improved(candidates[i], families, few, middle);
     keep_distinct(candidates, distance, least_difference, count);
-    const std::size_t all = std::max(a.samples.size(), b.samples.size());
-    grow_all(candidates, SampledPair(a, b, all, 0.15), {95, 110, 130, 150}, true, 100, fine_score);
+    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), 0.15);
+    grow_all(candidates, all, {95, 110, 130, 150}, true, 100, fine_score);
+    // Grown further, some have become the same map.
+    keep_distinct(candidates, MapDistance(all), least_in_the_end, count);
     try_out_close_ones(candidates, a, b);
     return candidates;
 }

@@ -6,7 +6,9 @@
 
 namespace counterpart::spectral_match {
 
-/// Candidates refined on more and in the end on all samples and sorted again, best first; at most `count`.
+/// Candidates grown on more and in the end on all samples, best first, at most `count`, any two of which
+/// differ by more than 0.05 on average. The best are crossed with each other before, and those whose scores
+/// are too close to tell are tried out on the surfaces; what that costs the worse one is taken off its score.
 std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candidate> candidates,
                               std::size_t count);
 

@@ -8,6 +8,7 @@
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <Eigen/SparseCholesky>
@@ -43,9 +44,11 @@ struct Similarity {
     Eigen::Matrix3d linear() const { return scale * rotation; }
 };
 
-// Rotations are followed from the ones before.
+// Rotations are followed from the ones before, if there are any (`similarities` may be empty).
 void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness, const Points& rest,
             const Points& now) {
+    const bool is_first = similarities.empty();
+    similarities.resize(static_cast<std::size_t>(rest.rows()));
     constexpr double smallest = 0.3, largest = 3;
     parallel_for(similarities.size(), 256, [&](std::size_t i) {
         const auto v = static_cast<Eigen::Index>(i);
@@ -59,7 +62,9 @@ void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness
         }
         Similarity& similarity = similarities[i];
         similarity.rotation =
-            follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation)).toRotationMatrix();
+            is_first
+                ? fit_rotation(covariance).rotation
+                : follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation)).toRotationMatrix();
         if (squares > 0)
             similarity.scale =
                 std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares, smallest, largest);
@@ -94,7 +99,7 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
         throw NumericalError("the elastic system cannot be factorized");
     Points now = start;
     const Eigen::MatrixXd pulled = pull.asDiagonal() * towards;
-    std::vector<Similarity> similarities(static_cast<std::size_t>(now.rows()));
+    std::vector<Similarity> similarities;
     for (int i = 0; i < iterations; ++i) {
         follow(similarities, system_->stiffness, system_->rest, now);
         const Eigen::MatrixXd right =
@@ -105,7 +110,7 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
 }
 
 double ElasticFit::strain(const Points& now) const {
-    std::vector<Similarity> similarities(static_cast<std::size_t>(now.rows()));
+    std::vector<Similarity> similarities;
     follow(similarities, system_->stiffness, system_->rest, now);
     double left = 0, all = 0;
     for (std::size_t i = 0; i < similarities.size(); ++i) {
@@ -118,7 +123,7 @@ double ElasticFit::strain(const Points& now) const {
             all -= it.value() * after.squaredNorm();
         }
     }
-    return all > 0 ? std::max(left / all, 0.0) : 0;
+    return all > 0 && std::isfinite(left) ? std::clamp(left / all, 0.0, 1.0) : 1;
 }
 
 }  // namespace counterpart::spectral_match

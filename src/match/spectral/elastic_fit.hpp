@@ -21,7 +21,7 @@ class ElasticFit {
     Points operator()(const Points& towards, const Points& start, double stiffness_length, int iterations);
 
     /// What the best similarity of each neighbourhood leaves of `now`, relative to its size: 0 = a similarity
-    /// everywhere, 1 = nothing kept.
+    /// everywhere, at most 1.
     double strain(const Points& now) const;
 
   private:

@@ -13,43 +13,36 @@ namespace counterpart::spectral_match {
 
 namespace {
 
-// How far the map as a whole deserves trust.
+// How far the map as a whole deserves trust: right maps of people score 0.8 to 1.2, wrong ones of unlike
+// animals below 0.3.
 double trust(double score) {
-    constexpr double doubtful = 0.3,
-                     width =
-                         0.1;  // right maps of people score 0.8 to 1.2, wrong ones of unlike animals below
+    constexpr double doubtful = 0.3, width = 0.1;
     return 1 / (1 + std::exp(-(score - doubtful) / width));
 }
 
 // For every sample of A the share of those candidates, by likelihood, that take it where the best one does.
-Vector agreement(const Shape& b, const std::vector<Candidate>& candidates) {
+Vector agreement(const SampledPair& pair, const std::vector<Candidate>& candidates) {
     constexpr double temperature = 0.03, same_place = 0.15;
-    const std::vector<Index>& best = candidates.front().maps.b_from_a;
-    const auto place = [&](Index sample) {
-        return b.mesh.vertices.row(b.samples[static_cast<std::size_t>(sample)]);
-    };
-    const auto n = static_cast<Eigen::Index>(best.size());
-    Vector agreeing = Vector::Zero(n), all = Vector::Zero(n);
+    const MapDistance distance(pair);
+    const Candidate& best = candidates.front();
+    Vector agreeing = Vector::Zero(pair.points_a.size()), all = agreeing;
     for (const Candidate& candidate : candidates) {
-        const double likelihood =
-            std::exp((candidate.scores.total - candidates.front().scores.total) / temperature);
+        const double likelihood = std::exp((candidate.scores.total - best.scores.total) / temperature);
         all.array() += likelihood;
-        for (Eigen::Index s = 0; s < n; ++s) {
-            const auto i = static_cast<std::size_t>(s);
-            if ((place(candidate.maps.b_from_a[i]) - place(best[i])).norm() < same_place)
-                agreeing[s] += likelihood;
-        }
+        for (std::size_t s = 0; s < best.maps.b_from_a.size(); ++s)
+            if (distance.on_b(candidate.maps.b_from_a[s], best.maps.b_from_a[s]) < same_place)
+                agreeing[static_cast<Eigen::Index>(s)] += likelihood;
     }
     return agreeing.cwiseQuotient(all);
 }
 
 }  // namespace
 
-Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps,
-                  const std::vector<Candidate>& candidates) {
+Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates) {
+    const Shape &a = pair.a, &b = pair.b;
     const Adjacency adjacency(a.mesh);
     const double whole = trust(candidates.front().scores.total);
-    const Vector agreeing = agreement(b, candidates);
+    const Vector agreeing = agreement(pair, candidates);
     Vector result(a.mesh.n_vertices());
     for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
         const Index image = maps.b_from_a[static_cast<std::size_t>(v)];

@@ -13,8 +13,7 @@ namespace counterpart::spectral_match {
 /// Per vertex of A in [0, 1]: near 1 where the map there and back returns and keeps neighbours together,
 /// where `candidates` (best first, the one refined) that score nearly as well agree, and if the best scores
 /// well.
-Vector confidence(const Shape& a, const Shape& b, const PairedMaps& maps,
-                  const std::vector<Candidate>& candidates);
+Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates);
 
 /// How `other` differs from `best`, in words.
 std::string describe(const SampledPair& pair, const Candidate& best, const Candidate& other);

@@ -33,8 +33,12 @@ TEST(SpectralElasticFit, TurnsMovesAndScalesAsAWhole) {
     const Points turned = 1.3 * mesh.vertices * turn.transpose();
     const Points target = turned.rowwise() + Eigen::RowVector3d(5, -2, 1);
     ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
-    for (const double length : {0.1, 10.0})
-        EXPECT_LT(largest_distance(fit(target, target, length, 5), target), 1e-6) << length;
+    Points start = target;
+    for (Index v = 0; v < mesh.n_vertices(); v += 3) start.row(v) += Eigen::RowVector3d(0.1, 0, 0.1);
+    for (const double length : {0.1, 1.0}) {
+        EXPECT_GT(largest_distance(fit(target, start, length, 0), target), 0.1);
+        EXPECT_LT(largest_distance(fit(target, start, length, 60), target), 1e-3) << length;
+    }
 }
 
 TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
@@ -52,10 +56,20 @@ TEST(SpectralElasticFit, StrainSeesWhatIsNoSimilarity) {
     const TriangleMesh mesh = banana(0.4);
     const ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
     EXPECT_LT(fit.strain(2 * mesh.vertices), 1e-9);
+    EXPECT_LT(fit.strain(mesh.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal()), 1e-9);  // a half-turn
     Points flat = mesh.vertices;
     flat.col(2) *= 0.2;
     EXPECT_GT(fit.strain(flat), 0.05);
     EXPECT_LT(fit.strain(banana(0.5).vertices), fit.strain(banana(1.0).vertices));
+}
+
+TEST(SpectralElasticFit, AFlatSurfaceMayTurnHalfRound) {
+    const TriangleMesh grid = make_grid(8, 8);
+    ElasticFit fit(grid.vertices, laplace_beltrami(grid));
+    const Points turned = grid.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal();
+    EXPECT_LT(fit.strain(turned), 1e-9);
+    EXPECT_LT(largest_distance(fit(turned, turned, 1, 5), turned), 1e-6);
+    EXPECT_EQ(fit.strain(Points::Zero(grid.n_vertices(), 3)), 1);
 }
 
 // Maps that are off by a slide along x of up to `slide`, both ways.
