@@ -67,21 +67,25 @@ Candidate improved(Candidate best, const std::vector<Candidate>& others, const S
     return best;
 }
 
-// Where scores are too close to tell, the surfaces are bent onto each other for each: the wrong map strains
-// them more, and loses by it.
-void try_out_close_ones(std::vector<Candidate>& candidates, const Shape& a, const Shape& b) {
-    constexpr double close = 0.05, weight = 0.2, least_strain = 1e-4;
+// Where scores are too close to tell and the maps differ in a limb, the surfaces are bent onto each other for
+// each: the wrong map strains them more, and loses by it. A half-turned body is hardly strained, so maps that
+// differ as a whole are left to their scores.
+void try_out_close_ones(std::vector<Candidate>& candidates, const SampledPair& pair,
+                        const MapDistance& distance) {
+    constexpr double close = 0.05, weight = 0.2, least_strain = 1e-4, elsewhere = 0.2, limb = 0.5;
     constexpr std::size_t n_tried = 3;
     constexpr RefineOptions quick{
         .last = 80, .last_length = 0.1, .iterations = 8, .rounds = 3, .rounds_if_huge = 1};
+    const Candidate& best = candidates.front();
     std::size_t count = 1;
     while (count < std::min(candidates.size(), n_tried) &&
-           candidates[count].scores.total > candidates[0].scores.total - close)
+           candidates[count].scores.total > best.scores.total - close &&
+           distance.share_beyond(best.maps, candidates[count].maps, elsewhere) < limb)
         ++count;
     if (count < 2) return;
     std::vector<double> strains(count);
     for (std::size_t i = 0; i < count; ++i)
-        strains[i] = std::max(refine(a, b, candidates[i], quick).strain, least_strain);
+        strains[i] = std::max(refine(pair.a, pair.b, candidates[i], quick).strain, least_strain);
     const double least = *std::min_element(strains.begin(), strains.end());
     for (std::size_t i = 0; i < count; ++i)
         candidates[i].scores.total -= weight * std::log(strains[i] / least);
@@ -107,8 +111,9 @@ std::vector<Candidate> choose(const Shape& a, const Shape& b, std::vector<Candid
     const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), 0.15);
     grow_all(candidates, all, {95, 110, 130, 150}, true, 100, fine_score);
     // Grown further, some have become the same map.
-    keep_distinct(candidates, MapDistance(all), least_in_the_end, count);
-    try_out_close_ones(candidates, a, b);
+    const MapDistance distance_of_all(all);
+    keep_distinct(candidates, distance_of_all, least_in_the_end, count);
+    try_out_close_ones(candidates, all, distance_of_all);
     return candidates;
 }
 
