@@ -10,7 +10,7 @@ namespace counterpart::spectral_match {
 /// and stiff surfaces to many functions and pliable ones.
 struct RefineOptions {
     int begin = 80;               ///< eigenfunctions of the maps that the first round starts from
-    int first = 30, last = 200;   ///< eigenfunctions
+    int first = 30, last = 200;   ///< eigenfunctions of the first and last round
     float feature_weight = 5;     ///< of curvature and wave kernel, each of variance 1
     float position_weight = 200;  ///< of positions after an elastic fit of either surface to its images
     float normal_weight = 14;     ///< of the normals there
