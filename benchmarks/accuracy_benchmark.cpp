@@ -10,7 +10,7 @@
 // pair goes to RESULTS; pairs that are there already are not run again. With "reuse" each shape is prepared
 // once and kept. Two pairs run at a time, on one thread each. Errors are geodesic, times 100 / sqrt(target
 // area); the last line on stdout is the summary.
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>

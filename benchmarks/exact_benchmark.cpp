@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Exact matching of a mesh, and of its subdivisions, against themselves shuffled; and the canonical labelling
+// Exact matching of a mesh, and of its subdivisions, against themselves shuffled; and the canonical labeling
 // of bliss on the same meshes: of their faces and vertices, which like ours finds partners for both, and of
 // their vertices and edges alone, which does not know the faces (neither knows the winding). One JSON line
 // per measurement.
@@ -10,9 +10,8 @@
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/subdivide.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -82,7 +81,7 @@ bliss::Graph faces_and_vertices(const TriangleMesh& mesh) {
     return graph;
 }
 
-// The peer's whole job: a labelling of each mesh's graph; equal labels are partners.
+// The peer's whole job: a labeling of each mesh's graph; equal labels are partners.
 void measure_bliss(const std::string& name, const TriangleMesh& mesh, const TriangleMesh& target, int repeats,
                    const char* graph_name, bliss::Graph (*make_graph)(const TriangleMesh&), double our_cpu) {
     const Seconds peer = median_seconds(repeats, [&] {
@@ -105,7 +104,7 @@ void measure(const std::string& name, const TriangleMesh& mesh, int repeats, Ind
     reset_peak();
     ExactResult result = match_exact(mesh, target.mesh);
     const double peak = memory("VmHWM:") - before;
-    const bool right = result.identical && result.target_from_source.image == target.shuffled_from_original;
+    const bool right = result.identical && result.target_from_source.image() == target.shuffled_from_original;
     const Seconds ours = median_seconds(repeats, [&] { result = match_exact(mesh, target.mesh); });
     fmt::print(
         "{{\"benchmark\": \"exact\", \"mesh\": \"{}\", \"vertices\": {}, \"triangles\": {}, \"threads\": 1, "

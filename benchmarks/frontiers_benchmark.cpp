@@ -13,8 +13,8 @@
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/deform.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 #include <algorithm>
 #include <chrono>

@@ -14,7 +14,7 @@
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/spectral.hpp>
-#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,12 +91,12 @@ VertexMap matched_after(const std::string& change, const TriangleMesh& source, c
     }
     const ShuffleResult a = shuffle(source, 21), b = shuffle(target, 22);
     const VertexMap between = matched(a.mesh, b.mesh);
-    VertexMap map{std::vector<Index>(between.image.size()), target.n_vertices()};
+    std::vector<Index> map(between.image().size());
     const VertexMap original_from_b = invert({b.shuffled_from_original, target.n_vertices()});
     for (Index v = 0; v < source.n_vertices(); ++v)
-        map.image[static_cast<std::size_t>(v)] =
+        map[static_cast<std::size_t>(v)] =
             original_from_b[between[a.shuffled_from_original[static_cast<std::size_t>(v)]]];
-    return map;
+    return {std::move(map), target.n_vertices()};
 }
 
 Json measure(const fs::path& data, const Pair& pair) {

@@ -3,7 +3,7 @@
 //
 // morph FIRST LAST [IN_BETWEENS [THREADS]]: seconds of set-up and per frame (median), and how well the
 // in-betweens keep edge lengths and volume, with linear blending beside them.
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/transfer/morph.hpp>
 

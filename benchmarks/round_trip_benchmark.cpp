@@ -10,14 +10,14 @@
 // first FUNCTIONS (20) Laplacian eigenfunctions of A (the constant left out) are carried to B and back.
 // Relative L2 errors in percent: through the sub-vertex map and its inverse, and beside them through the
 // vertices closest to their points. One JSON line per pair, a summary last.
-#include <counterpart/evaluation/ground_truth.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/map/complete.hpp>
+#include <counterpart/map/invert.hpp>
+#include <counterpart/map/project.hpp>
 #include <counterpart/match/spectral.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
-#include <counterpart/transfer/complete_map.hpp>
-#include <counterpart/transfer/invert.hpp>
-#include <counterpart/transfer/project.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -41,11 +41,11 @@ VertexMap map_from_truth(const fs::path& folder, const std::string& a, const std
     const auto read = [&](const std::string& name) {
         return read_vertex_map(folder / "corres" / (name + ".vts"), IndexBase::one);
     };
-    VertexMap map{std::vector<Index>(static_cast<std::size_t>(a_size), VertexMap::unmatched), b_size};
+    std::vector<Index> map(static_cast<std::size_t>(a_size), VertexMap::unmatched);
     const GroundTruth truth = truth_from_template(read(a), read(b));
     for (auto pair = truth.pairs.rbegin(); pair != truth.pairs.rend(); ++pair)
-        map.image[static_cast<std::size_t>(pair->first)] = pair->second;
-    return map;
+        map[static_cast<std::size_t>(pair->first)] = pair->second;
+    return {std::move(map), b_size};
 }
 
 Vector relative_errors(const Matrix& before, const Matrix& after, const Vector& mass) {
@@ -59,7 +59,7 @@ struct ThereAndBack {
     SurfaceMap there, back;  // complete
 };
 
-// What is left unmatched follows its neighbours: there must be a value everywhere.
+// What is left unmatched follows its neighbors: there must be a value everywhere.
 ThereAndBack sub_vertex_maps(const TriangleMesh& a, const TriangleMesh& b, const VertexMap& b_from_a) {
     const MapPair pair = with_inverse(project_map(a, b, b_from_a, {.extend = 10}), a, b);
     return {complete_map(pair.target_from_source, a, b).target_from_source,
@@ -77,12 +77,12 @@ Json measure(const fs::path& folder, const std::string& a_name, const std::strin
     const Matrix functions = basis.eigenfunctions.rightCols(n_functions);
 
     const ThereAndBack points = sub_vertex_maps(a, b, map);
-    const Matrix returned = pull_back(points.there, b, pull_back(points.back, a, functions));
+    const Matrix returned = transfer_values(points.there, b, transfer_values(points.back, a, functions));
     const Vector errors = relative_errors(functions, returned, basis.mass);
 
     const SurfaceMap vertex_there = surface_map_of(nearest_corners(points.there, b), b);
     const SurfaceMap vertex_back = surface_map_of(nearest_corners(points.back, a), a);
-    const Matrix by_vertices = pull_back(vertex_there, b, pull_back(vertex_back, a, functions));
+    const Matrix by_vertices = transfer_values(vertex_there, b, transfer_values(vertex_back, a, functions));
     const Vector vertex_errors = relative_errors(functions, by_vertices, basis.mass);
     return {{"source", a_name},
             {"target", b_name},

@@ -1,21 +1,44 @@
-# Every dependency of the library, in one place. All are Debian 12 packages; scripts/packages.txt lists them.
+# Every dependency of the library, in one place. All are packages of Debian 12 and 13; scripts/packages.txt lists them.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(TBB REQUIRED)
-find_package(fmt REQUIRED)
-find_package(embree REQUIRED CONFIG)  # 3 (Debian 12) or 4
+find_package(TBB 2021 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(embree REQUIRED CONFIG)
+if(embree_VERSION VERSION_LESS 3.13)
+  message(FATAL_ERROR "counterpart needs Embree 3.13 or newer, this is ${embree_VERSION} (${embree_DIR})")
+endif()
 find_package(PNG REQUIRED)
 
 # Header-only, looked up by header: their package configs pull in more than is needed, or are not shipped.
 find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
 find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsShiftSolver.h REQUIRED)
 find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
+file(STRINGS ${NANOFLANN_INCLUDE_DIR}/nanoflann.hpp version REGEX "define NANOFLANN_VERSION ")
+string(REGEX MATCH "0x[0-9A-Fa-f]+" version "${version}")
+if(NOT version OR version LESS 0x142)
+  message(FATAL_ERROR "counterpart needs nanoflann 1.4.2 or newer, "
+    "${NANOFLANN_INCLUDE_DIR}/nanoflann.hpp has NANOFLANN_VERSION ${version}")
+endif()
 
+# Implementation details: compiled in, never seen by the compiler of the library's users, only by their linker.
+# counterpart_hidden_libraries(VARIABLE INCLUDE_DIRS... LIBRARIES targets...)
+function(counterpart_hidden_libraries variable)
+  cmake_parse_arguments(PARSE_ARGV 1 hidden "" "" "INCLUDES;LIBRARIES")
+  string(TOLOWER ${variable} backends)
+  add_library(${backends} INTERFACE)
+  target_include_directories(${backends} SYSTEM INTERFACE ${hidden_INCLUDES})
+  target_link_libraries(${backends} INTERFACE ${hidden_LIBRARIES})
+  list(TRANSFORM hidden_LIBRARIES REPLACE "(.+)" "$<LINK_ONLY:\\1>")
+  set(${variable} $<BUILD_INTERFACE:${backends}> ${hidden_LIBRARIES} PARENT_SCOPE)
+endfunction()
+counterpart_hidden_libraries(COUNTERPART_CORE_LIBRARIES
+  INCLUDES ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads)
+counterpart_hidden_libraries(COUNTERPART_IO_LIBRARIES
+  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads)
+counterpart_hidden_libraries(COUNTERPART_RENDER_LIBRARIES
+  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads embree PNG::PNG)
+
+# All of them, for the project's own programs and tests.
 add_library(counterpart_backends INTERFACE)
-target_include_directories(counterpart_backends SYSTEM INTERFACE
-  ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR} ${NLOHMANN_JSON_INCLUDE_DIR})
-target_link_libraries(counterpart_backends INTERFACE TBB::tbb fmt::fmt embree PNG::PNG Threads::Threads)
-
-# Implementation details of the library: compiled in, never seen by its users' compiler.
-set(COUNTERPART_PRIVATE_LIBRARIES $<BUILD_INTERFACE:counterpart_backends>
-    $<LINK_ONLY:TBB::tbb> $<LINK_ONLY:fmt::fmt> $<LINK_ONLY:embree> $<LINK_ONLY:PNG::PNG>)
+target_link_libraries(counterpart_backends INTERFACE
+  counterpart_core_libraries counterpart_io_libraries counterpart_render_libraries)

@@ -1,15 +1,18 @@
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/counterpart)
 
-install(TARGETS counterpart EXPORT counterpartTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+# One file of targets per component, so that a component asks for nothing that only others need.
+foreach(component core io render)
+  install(TARGETS counterpart_${component} EXPORT counterpart-${component}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT counterpart-${component} NAMESPACE counterpart:: DESTINATION ${package_folder})
+endforeach()
 install(DIRECTORY include/counterpart ${CMAKE_CURRENT_BINARY_DIR}/include/counterpart DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(EXPORT counterpartTargets NAMESPACE counterpart:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/counterpart)
 
 configure_package_config_file(cmake/counterpartConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/counterpartConfig.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/counterpart)
+  INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/counterpartConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/counterpartConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/counterpartConfigVersion.cmake
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/counterpart)
+        DESTINATION ${package_folder})

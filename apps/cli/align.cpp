@@ -3,8 +3,8 @@
 #include "commands.hpp"
 #include "load_map.hpp"
 
+#include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/transfer/fit_transform.hpp>
 
 #include <cmath>
 #include <map>
@@ -28,8 +28,8 @@ struct AlignCommand {
 };
 
 struct Fit {
-    Transform transform;
-    double rms = 0;  // over what was fitted
+    Affine transform;
+    double rms = 0;  // over the fitted pairs
     Json details = Json::object();
 };
 
@@ -50,8 +50,9 @@ Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const Surface
            const AlignCommand& command) {
     IcpOptions options = command.icp;
     options.n_threads = command.common.threads;
+    options.progress = progress_bar("aligning", command.common);
     options.model = models.at(command.model);
-    Transform start;
+    Affine start;
     if (count_matched(map) >= 4) {
         start = from_map(source, target, map, options.model).transform;
     } else {
@@ -59,7 +60,7 @@ Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const Surface
     }
     const IcpResult result = icp(source, target, start, map, options);
     if (!result.converged)
-        warn(fmt::format("not converged after {} iterations; raise --iterations", result.iterations));
+        warn(fmt::format("ICP has not converged after {} iterations; raise --iterations", result.iterations));
     return {result.target_from_source,
             result.rms_distance,
             {{"iterations", result.iterations}, {"converged", result.converged}}};
@@ -67,7 +68,7 @@ Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const Surface
 
 void run(const AlignCommand& command) {
     if (command.map.empty() && !command.use_icp)
-        throw InvalidInput("give --map with the pairs to align by, or --icp, or both");
+        throw InvalidInput("give --map (the pairs to align by), --icp, or both");
     TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     SurfaceMap map;
@@ -76,8 +77,8 @@ void run(const AlignCommand& command) {
                                     : from_map(source, target, map, models.at(command.model));
     source.vertices = fit.transform(source.vertices);
     write_mesh(source, command.output);
-    say(command.common, fmt::format("{} fit, root mean square distance {:.6g} -> {}", command.model, fit.rms,
-                                    command.output.string()));
+    say(command.common,
+        fmt::format("{} fit, RMS distance {:.6g} -> {}", command.model, fit.rms, command.output.string()));
     Json matrix = Json::array();
     for (int i = 0; i < 3; ++i) {
         const Eigen::RowVector3d row = fit.transform.linear.row(i);
@@ -96,27 +97,33 @@ void run(const AlignCommand& command) {
 
 void add_align(CLI::App& program) {
     auto command = std::make_shared<AlignCommand>();
-    CLI::App* align = program.add_subcommand("align", "Move SOURCE onto TARGET by a map, by ICP, or by both");
+    CLI::App* align = program.add_subcommand("align", "Align SOURCE with TARGET using a map, ICP, or both");
     align->add_option("SOURCE", command->source, "Mesh file")->required();
     align->add_option("TARGET", command->target, "Mesh file")->required();
-    align->add_option("-o,--output", command->output, "The moved SOURCE")->required();
-    align->add_option("--map", command->map, "Map from SOURCE to TARGET: the pairs to align by")
+    align->add_option("-o,--output", command->output, "Mesh file for the aligned SOURCE")->required();
+    align->add_option("--map", command->map, "Map from SOURCE to TARGET whose pairs are aligned")
         ->type_name("FILE");
     align
-        ->add_option("--model", command->model, "rigid, similarity (and scale) or affine; never a reflection")
+        ->add_option("--model", command->model,
+                     "rigid, similarity (rigid and uniform scale) or affine; never a reflection")
         ->check(CLI::IsMember({"rigid", "similarity", "affine"}))
         ->capture_default_str();
-    align->add_flag("--icp", command->use_icp,
-                    "Refine by iterative closest points on the surface, from the map's fit or the centroids");
-    align->add_option("--iterations", command->icp.most_iterations, "At most, with --icp; 1 to 10000")
+    align->add_flag(
+        "--icp", command->use_icp,
+        "Refine with iterative closest point (ICP), starting from the map's fit or the centroids");
+    align
+        ->add_option("--iterations", command->icp.max_iterations,
+                     "Maximum number of ICP iterations; 1 to 10000")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
-    align->add_option("--trim", command->icp.trim, "Share of the worst pairs that ICP leaves out; 0 to 0.9")
+    align
+        ->add_option("--trim", command->icp.trim,
+                     "Fraction of pairs, the worst ones, that ICP ignores; 0 to 0.9")
         ->check(CLI::Range(0.0, 0.9))
         ->capture_default_str();
     align
         ->add_option("--known-weight", command->icp.known_weight,
-                     "Weight of the map's pairs against the closest ones in ICP; 0 or more")
+                     "Weight of the map's pairs relative to the closest-point pairs in ICP; at least 0")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     add_common_options(*align, command->common);

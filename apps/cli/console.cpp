@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "console.hpp"
 
-#include <counterpart/io/atomic_file.hpp>
+#include "interrupt.hpp"
+
+#include <counterpart/io/file.hpp>
 
 #include <chrono>
 #include <cstdio>
@@ -51,13 +53,13 @@ class Bar {
 
 void add_common_options(CLI::App& command, CommonOptions& options) {
     command
-        .add_option("--threads", options.threads,
-                    "Number of threads; 0 = all. The result does not depend on it")
+        .add_option("--threads", options.threads, "Number of threads; 0 = all. Does not change the result")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
-    command.add_flag("-q,--quiet", options.quiet, "Print warnings and errors only");
-    command
-        .add_option("--report", options.report, "Write what was found and how long it took to this JSON file")
+    command.add_flag("--allow-external", options.read.allow_external,
+                     "Let glTF files refer to files outside their own folder; only for files you trust");
+    command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
+    command.add_option("--report", options.report, "Write results and timings to this JSON file")
         ->type_name("FILE");
 }
 
@@ -68,22 +70,22 @@ void say(const CommonOptions& options, const std::string& message) {
 void warn(const std::string& message) { std::fputs(("warning: " + message + "\n").c_str(), stderr); }
 
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options) {
-    MeshFile loaded = read_mesh(file);
+    MeshFile loaded = read_mesh(file, options.read);
     for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
     return std::move(loaded.mesh);
 }
 
 AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options) {
-    AttributedMeshFile loaded = read_attributed_mesh(file);
+    AttributedMeshFile loaded = read_attributed_mesh(file, options.read);
     for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
     return std::move(loaded.content);
 }
 
 Progress progress_bar(const std::string& label, const CommonOptions& options) {
-    if (options.quiet || isatty(STDERR_FILENO) == 0) return {};
+    if (options.quiet || isatty(STDERR_FILENO) == 0) return [](double) { return !is_interrupted(); };
     return [bar = std::make_shared<Bar>(label)](double fraction) {
         bar->show(fraction);
-        return true;
+        return !is_interrupted();
     };
 }
 

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <counterpart/base/progress.hpp>
-#include <counterpart/io/attributed_mesh_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
 #include <filesystem>
@@ -24,6 +23,7 @@ using Json = nlohmann::ordered_json;
 struct CommonOptions {
     int threads = 0;
     bool quiet = false;
+    ReadOptions read;
     std::filesystem::path report;
 };
 void add_common_options(CLI::App& command, CommonOptions& options);
@@ -33,15 +33,16 @@ void say(const CommonOptions& options, const std::string& message);
 /// "warning: ..." on stderr, also with --quiet.
 void warn(const std::string& message);
 
-/// Reads a mesh and says its notices, each led by the file's name.
+/// Reads a mesh and prints its notices, each prefixed with the file's name.
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);
-/// The same, with all that the file holds beside the triangles.
+/// The same, with the attributes that the file holds.
 AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options);
 
 /// A bar on stderr that appears after a second of work; silent when stderr is not a terminal or with --quiet.
+/// Cancels the work when the user interrupts the program.
 Progress progress_bar(const std::string& label, const CommonOptions& options);
 
-/// Writes the report if --report was given. Adds nothing: what is in `report` is what appears.
+/// Writes the report, as it is, if --report was given.
 void write_report(const Json& report, const CommonOptions& options);
 
 Json to_json(const std::vector<StageTime>& stages);

@@ -22,7 +22,7 @@ void run(const ConvertCommand& command) {
     AttributedMesh content = load_attributed_mesh(command.input, command.common);
     if (command.weld_distance >= 0) {
         TriangleMesh welded = weld(content.mesh, {.distance = command.weld_distance}).mesh;
-        say(command.common, fmt::format("welded {} vertices into {}; what else the file holds is left out",
+        say(command.common, fmt::format("welded {} vertices into {}; attributes are dropped",
                                         content.mesh.n_vertices(), welded.n_vertices()));
         content = {};
         content.mesh = std::move(welded);
@@ -44,13 +44,13 @@ void run(const ConvertCommand& command) {
 void add_convert(CLI::App& program) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App* convert =
-        program.add_subcommand("convert", "Write a mesh in another format, vertices in the same order");
+        program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
     convert->add_option("IN", command->input, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
-    convert->add_option("OUT", command->output, "Mesh file; the ending tells the format")->required();
+    convert->add_option("OUT", command->output, "Mesh file; format from the file extension")->required();
     convert
         ->add_option(
             "--weld", command->weld_distance,
-            "Join vertices at most this far apart, in mesh units; 0 = at the same position. Off by default")
+            "Merge vertices up to this far apart, in mesh units; 0 = only coincident ones. Default: off")
         ->check(CLI::NonNegativeNumber);
     add_common_options(*convert, command->common);
     convert->callback([command] { run(*command); });

@@ -6,8 +6,8 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/mesh/deform.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 #include <memory>
 #include <numbers>
@@ -23,13 +23,13 @@ struct DeformCommand {
     double bend_degrees = 0, twist_degrees = 0;
     DeformOptions options;
     BodyOptions body{.subdivisions = 3};
-    std::uint64_t shuffle_seed = 0;  // 0 = do not
+    std::uint64_t shuffle_seed = 0;  // 0 = do not shuffle
     bool move = false;
 };
 
 void run(const DeformCommand& command) {
     if (!command.truth.empty() && command.shuffle_seed == 0)
-        throw InvalidInput("--truth goes with --shuffle: without it, vertex i is vertex i");
+        throw InvalidInput("--truth needs --shuffle: without it the true map is the identity");
     TriangleMesh mesh =
         command.input == "body" ? make_body(command.body) : load_mesh(command.input, command.common);
     DeformOptions options = command.options;
@@ -64,41 +64,39 @@ void run(const DeformCommand& command) {
 
 void add_deform(CLI::App& program) {
     auto command = std::make_shared<DeformCommand>();
-    CLI::App* deform = program.add_subcommand("deform", "Bring a mesh into another pose, to try methods on");
-    deform
-        ->add_option("IN", command->input, "Mesh file, or the word body for a figure that the program makes")
+    CLI::App* deform = program.add_subcommand("deform", "Deform a mesh to create test data");
+    deform->add_option("IN", command->input, "Mesh file, or the word 'body' for a built-in figure")
         ->required();
     deform->add_option("OUT", command->output, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
     deform
-        ->add_option(
-            "--bend", command->bend_degrees,
-            "Degrees by which the ends of the longest direction are bent towards each other; -360 to 360")
+        ->add_option("--bend", command->bend_degrees,
+                     "Bend along the longest axis, in degrees from end to end; -360 to 360")
         ->check(CLI::Range(-360.0, 360.0))
         ->capture_default_str();
     deform
         ->add_option("--twist", command->twist_degrees,
-                     "Degrees by which one end is turned against the other; -360 to 360")
+                     "Twist about the longest axis, in degrees from end to end; -360 to 360")
         ->check(CLI::Range(-360.0, 360.0))
         ->capture_default_str();
     deform
         ->add_option("--warp", command->options.warp,
-                     "Size of a smooth random displacement, as a fraction of the length; 0 to 0.5")
+                     "Size of a smooth random displacement, as a fraction of the mesh's length; 0 to 0.5")
         ->check(CLI::Range(0.0, 0.5))
         ->capture_default_str();
-    deform->add_option("--seed", command->options.seed, "Of --warp and --move; 0 or more")
+    deform->add_option("--seed", command->options.seed, "Random seed for --warp and --move; at least 0")
         ->capture_default_str();
     deform
         ->add_option("--subdivisions", command->body.subdivisions,
-                     "Of the figure: with each its vertices are 4 times as many")
+                     "Subdivisions of the built-in figure; each quadruples its vertices; 0 to 7")
         ->check(CLI::Range(0, 7))
         ->capture_default_str();
-    deform->add_flag("--move", command->move, "Rotate at random, scale by 0.5 to 2, and move");
-    deform->add_option(
-        "--shuffle", command->shuffle_seed,
-        "Put vertices and triangles in random order with this seed, 1 or more. Off by default");
+    deform->add_flag("--move", command->move,
+                     "Apply a random rotation, translation, and scale from 0.5 to 2");
+    deform->add_option("--shuffle", command->shuffle_seed,
+                       "Shuffle vertices and triangles with this random seed, at least 1. Default: off");
     deform
         ->add_option("--truth", command->truth,
-                     "Write the true map to this file: line i = new number of vertex i")
+                     "Write the true map to this file: line i = new index of vertex i")
         ->type_name("FILE");
     add_common_options(*deform, command->common);
     deform->callback([command] { run(*command); });

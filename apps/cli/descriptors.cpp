@@ -3,8 +3,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-#include <counterpart/descriptor/curvature.hpp>
-#include <counterpart/descriptor/spectral_signatures.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/io/npy.hpp>
 
 #include <memory>
@@ -47,14 +46,17 @@ void run(const DescriptorsCommand& command) {
 
 void add_descriptors(CLI::App& program) {
     auto command = std::make_shared<DescriptorsCommand>();
-    CLI::App* descriptors = program.add_subcommand("descriptors", "Per-vertex descriptors of a mesh");
+    CLI::App* descriptors = program.add_subcommand("descriptors", "Compute per-vertex descriptors of a mesh");
     descriptors->add_option("MESH", command->mesh, "Mesh file")->required();
-    descriptors->add_option("-o,--output", command->output, "Vertices x columns (.npy)")->required();
+    descriptors->add_option("-o,--output", command->output, "NumPy file (.npy): float64, vertices x columns")
+        ->required();
     descriptors
         ->add_option("--kind", command->kind, "wks (wave kernel), hks (heat kernel) or curvature (mean)")
         ->check(CLI::IsMember({"wks", "hks", "curvature"}))
         ->capture_default_str();
-    descriptors->add_option("--columns", command->columns, "Energies or times; curvature has one column")
+    descriptors
+        ->add_option("--columns", command->columns,
+                     "Number of energies (wks) or times (hks); curvature has one column")
         ->check(CLI::Range(2, 1000))
         ->capture_default_str();
     add_common_options(*descriptors, command->common);

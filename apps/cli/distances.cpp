@@ -4,8 +4,8 @@
 #include "console.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
-#include <counterpart/geodesic/base_vertex_distances.hpp>
+#include <counterpart/base/progress.hpp>
+#include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/io/npy.hpp>
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace {
 struct DistancesCommand {
     CommonOptions common;
     std::filesystem::path mesh, output;
-    bool all = false, plain_edges = false;
+    bool plain_edges = false;
     Index n_base_vertices = 0;
     std::vector<Index> sources;
     double memory_limit = 8;
@@ -29,13 +29,12 @@ struct DistancesCommand {
 void require_memory(const DistancesCommand& command, Index n_vertices) {
     const double n = n_vertices;
     const double rows = command.sources.empty() ? n : static_cast<double>(command.sources.size());
-    // The matrix and the bytes of the file, beside each other.
+    // The matrix and the bytes of the file are in memory together.
     const double gigabytes = 8e-9 * n * (2 * rows + command.n_base_vertices);
     if (gigabytes > command.memory_limit) {
         throw InvalidInput(
             fmt::format("{:.0f} x {:.0f} distances need {:.1f} GB of memory and {:.1f} GB of disk; the limit "
-                        "is {} GB (raise it "
-                        "with --memory-limit, or ask for a few rows with --sources)",
+                        "is {} GB; raise it with --memory-limit, or select rows with --sources",
                         rows, n, gigabytes, 8e-9 * n * rows, command.memory_limit));
     }
 }
@@ -44,9 +43,9 @@ Matrix compute(const DistancesCommand& command, const TriangleMesh& mesh, Json& 
     const DistanceGraph graph(mesh, {.shortcuts = !command.plain_edges});
     const DistanceOptions options{command.common.threads, progress_bar("searching", command.common)};
     if (command.n_base_vertices > 0) {
-        const BaseVertexDistances distances(
-            graph, base_vertices(mesh, graph, {.count = command.n_base_vertices}), options);
-        json["base_vertices"] = distances.bases().vertices;
+        const SampledDistances distances(
+            graph, farthest_point_samples(mesh, graph, {.count = command.n_base_vertices}), options);
+        json["farthest_point_samples"] = distances.bases().vertices;
         json["covering_radius"] = distances.bases().covering_radius;
         return distances.matrix();
     }
@@ -88,22 +87,20 @@ void add_distances(CLI::App& program) {
         ->add_option("-o,--output", command->output,
                      "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")
         ->required();
-    auto* all =
-        distances->add_flag("--all", command->all, "All pairs by shortest paths (this is the default)");
+    auto* all = distances->add_flag_callback(
+        "--all", [] {}, "All pairs, by shortest paths (the default)");
     auto* bases = distances
                       ->add_option("--base-vertices", command->n_base_vertices,
-                                   "All pairs by the heuristic with this many base vertices")
+                                   "All pairs, approximated from this many farthest-point samples")
                       ->check(CLI::Range(1, 1 << 30))
                       ->excludes(all);
-    distances->add_option("--sources", command->sources, "Only the rows of these vertices, e.g. 0,17,42")
+    distances->add_option("--sources", command->sources, "Only distances from these vertices, e.g. 0,17,42")
         ->delimiter(',')
         ->excludes(all)
         ->excludes(bases);
     distances->add_flag("--plain-edges", command->plain_edges,
-                        "Along edges only, without shortcuts across them (about 15 % longer)");
-    distances
-        ->add_option("--memory-limit", command->memory_limit,
-                     "Refuse what needs more memory than this, in GB")
+                        "Measure along edges only, without shortcuts across them (about 15 % longer)");
+    distances->add_option("--memory-limit", command->memory_limit, "Largest amount of memory to use, in GB")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     add_common_options(*distances, command->common);

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "console.hpp"
+#include "load_map.hpp"
+#include "truth_options.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/evaluation/map_quality.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -23,31 +24,16 @@ namespace {
 
 struct EvaluateCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, truth, source_truth, target_truth, curve;
-    int index_base = 0;
+    std::filesystem::path source, target, map, curve;
+    TruthOptions truth;
     Index samples = 0;
     bool plain_edges = false;
     EvaluationOptions options;
 };
 
-std::optional<GroundTruth> read_truth(const EvaluateCommand& command) {
-    const auto read = [&](const std::filesystem::path& file) {
-        return read_vertex_map(file, static_cast<IndexBase>(command.index_base));
-    };
-    GroundTruth truth;
-    if (!command.truth.empty()) {
-        truth = truth_from_map(read(command.truth));
-    } else if (!command.source_truth.empty()) {
-        truth = truth_from_template(read(command.source_truth), read(command.target_truth));
-    } else {
-        return std::nullopt;
-    }
-    return command.samples > 0 ? sampled(truth, command.samples) : truth;
-}
-
 double percent(Index part, Index whole) { return whole > 0 ? 100.0 * part / whole : 0; }
 
-// Share of the matched pairs with an error up to the threshold, in percent.
+// Percentage of the matched pairs with an error up to the threshold.
 double within(const EvaluationReport& report, double threshold) {
     double share = 0;
     for (std::size_t i = 0; i < report.thresholds.size() && report.thresholds[i] <= threshold; ++i)
@@ -57,9 +43,8 @@ double within(const EvaluationReport& report, double threshold) {
 
 std::string describe(const MapQuality& quality, const TriangleMesh& source, const TriangleMesh& target) {
     return fmt::format(
-        "map         {} of {} source vertices matched, to {} different of {} target vertices ({:.1f} %)\n"
-        "edges       {:.2f} % of the source's edges are edges of the target again, {:.2f} % shrink to a "
-        "point\n",
+        "map         {} of {} source vertices matched, to {} of {} target vertices ({:.1f} %)\n"
+        "edges       {:.2f} % of the source edges map to target edges, {:.2f} % collapse to a point\n",
         quality.n_matched, source.n_vertices(), quality.n_distinct, target.n_vertices(),
         100 * quality.coverage, 100 * quality.preserved_edges, 100 * quality.collapsed_edges);
 }
@@ -71,9 +56,9 @@ std::string describe(const EvaluationReport& report) {
     if (report.n_other_component > 0)
         text += fmt::format(", {} in another component", report.n_other_component);
     if (report.n_unmatched + report.n_other_component == report.n_pairs)
-        return text + "\nerror       nothing to measure: no matched vertex lies on its true component\n";
+        return text + "\nerror       nothing to measure: no vertex is matched within its true component\n";
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "\nerror       mean {:.3f}, median {:.3f}, 95 % below {:.3f}, largest {:.3f}\n",
+    fmt::format_to(out, "\nerror       mean {:.3f}, median {:.3f}, 95th percentile {:.3f}, largest {:.3f}\n",
                    report.mean_error, report.median_error, report.percentile_95_error, report.max_error);
     fmt::format_to(out,
                    "            (geodesic distance to the true vertex x 100 / sqrt of the target's area)\n");
@@ -82,7 +67,7 @@ std::string describe(const EvaluationReport& report) {
     fmt::format_to(out, "C           {:.4g} (sum of squared distances), {:.4g} (their mean / area)\n",
                    report.cost.raw, report.cost.normalized);
     if (report.base_vertex_cost)
-        fmt::format_to(out, "C by bases  {:.4g}, {:.4g} (the base-vertex heuristic)\n",
+        fmt::format_to(out, "C sampled   {:.4g}, {:.4g} (approximated from farthest-point samples)\n",
                        report.base_vertex_cost->raw, report.base_vertex_cost->normalized);
     return text;
 }
@@ -125,10 +110,9 @@ void run(EvaluateCommand& command) {
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    VertexMap map = read_vertex_map(command.map);
-    require_valid(map, source.n_vertices(), target.n_vertices());
-    map.target_size = target.n_vertices();
-    const std::optional<GroundTruth> truth = read_truth(command);
+    const VertexMap map = load_vertex_map(command.map, source, target);
+    std::optional<GroundTruth> truth = read_truth(command.truth);
+    if (truth && command.samples > 0) truth = sampled(*truth, command.samples);
     watch.lap("read");
 
     const MapQuality quality = map_quality(map, source, target);
@@ -151,7 +135,7 @@ void run(EvaluateCommand& command) {
         json["errors"] = json_of(report);
         if (!command.curve.empty()) write_curve(report, command.curve);
     } else {
-        text += "truth       none given: see --truth\n";
+        text += "truth       not given; see --truth\n";
     }
     watch.lap("evaluate");
     json["seconds"] = to_json(watch.stages());
@@ -163,42 +147,29 @@ void run(EvaluateCommand& command) {
 
 void add_evaluate(CLI::App& program) {
     auto command = std::make_shared<EvaluateCommand>();
-    CLI::App* evaluate =
-        program.add_subcommand("evaluate", "Score a map from SOURCE to TARGET against the truth");
+    CLI::App* evaluate = program.add_subcommand(
+        "evaluate",
+        "Measure the quality of a map from SOURCE to TARGET, and its errors if the truth is given");
     evaluate->add_option("SOURCE", command->source, "Mesh file")->required();
     evaluate->add_option("TARGET", command->target, "Mesh file")->required();
-    evaluate->add_option("MAP", command->map, "Map file: line i = target vertex of source vertex i, from 0")
+    evaluate->add_option("MAP", command->map, "Map file: line i = target vertex of source vertex i, 0-based")
         ->required();
-    auto* truth = evaluate->add_option("--truth", command->truth, "The true map, in a file like MAP")
-                      ->type_name("FILE");
-    auto* source_truth = evaluate
-                             ->add_option("--source-truth", command->source_truth,
-                                          "Line k = source vertex of template point k")
-                             ->type_name("FILE")
-                             ->excludes(truth);
-    auto* target_truth = evaluate
-                             ->add_option("--target-truth", command->target_truth,
-                                          "Line k = target vertex of template point k")
-                             ->type_name("FILE")
-                             ->needs(source_truth);
-    source_truth->needs(target_truth);
-    evaluate->add_option("--index-base", command->index_base, "What the truth files count from")
-        ->check(CLI::IsMember({0, 1}))
-        ->capture_default_str();
+    add_truth_options(*evaluate, command->truth);
     evaluate
-        ->add_option("--samples", command->samples, "Score at most this many pairs, evenly spread; 0 = all")
+        ->add_option("--samples", command->samples,
+                     "Measure at most this many true pairs, evenly spaced; 0 = all")
         ->check(CLI::Range(0, 1 << 30))
         ->capture_default_str();
     evaluate
         ->add_option("--base-vertices", command->options.n_base_vertices,
-                     "Also give C by the heuristic with this many base vertices; 0 = leave it out")
+                     "Also approximate C from this many farthest-point samples; 0 = do not")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
     evaluate->add_flag("--plain-edges", command->plain_edges,
                        "Measure along edges only, without shortcuts across them (about 15 % longer)");
     evaluate
         ->add_option("--curve", command->curve,
-                     "Write the share of vertices within each error to this CSV file")
+                     "Write the fraction of pairs within each error to this CSV file")
         ->type_name("FILE");
     add_common_options(*evaluate, command->common);
     evaluate->callback([command] { run(*command); });

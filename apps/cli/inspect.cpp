@@ -3,7 +3,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/mesh/analyze.hpp>
 
 #include <cstdio>
@@ -20,28 +20,28 @@ struct InspectCommand {
     std::size_t n_components = 5;
 };
 
-std::string describe(const ComponentReport& piece) {
-    std::string text = fmt::format("{} vertices, {} triangles", piece.n_vertices, piece.n_triangles);
-    if (piece.n_boundary_loops == 0) {
+std::string describe(const ComponentReport& component) {
+    std::string text = fmt::format("{} vertices, {} triangles", component.n_vertices, component.n_triangles);
+    if (component.n_boundary_loops == 0) {
         text += ", closed";
     } else {
-        text += fmt::format(", {} boundary loop{}", piece.n_boundary_loops,
-                            piece.n_boundary_loops == 1 ? "" : "s");
+        text += fmt::format(", {} boundary loop{}", component.n_boundary_loops,
+                            component.n_boundary_loops == 1 ? "" : "s");
     }
-    if (!piece.is_manifold) {
-        text += ", not manifold";
-    } else if (!piece.is_orientable) {
-        text += ", one-sided";
+    if (!component.is_manifold) {
+        text += ", non-manifold";
+    } else if (!component.is_orientable) {
+        text += ", non-orientable";
     }
-    if (const auto genus = piece.genus()) return text + fmt::format(", genus {}", *genus);
-    return text + fmt::format(", Euler characteristic {}", piece.euler_characteristic());
+    if (const auto genus = component.genus()) return text + fmt::format(", genus {}", *genus);
+    return text + fmt::format(", Euler characteristic {}", component.euler_characteristic());
 }
 
 std::string point(const Eigen::RowVector3d& p) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", p[0], p[1], p[2]);
 }
 
-// What is wrong or unusual comes last, one line each, and only if there is any.
+// Defects come last, one line each, and only those that occur.
 std::string describe(const MeshReport& report, std::size_t n_components) {
     std::string text = fmt::format("vertices    {}\nedges       {}\ntriangles   {}\narea        {:.6g}\n",
                                    report.n_vertices, report.n_edges, report.n_triangles, report.area);
@@ -58,28 +58,28 @@ std::string describe(const MeshReport& report, std::size_t n_components) {
     };
     remark(report.n_boundary_edges, "boundary edges");
     remark(report.n_nonmanifold_edges, "non-manifold edges (three or more triangles)");
-    remark(report.n_nonmanifold_vertices, "non-manifold vertices (where fans of triangles only touch)");
+    remark(report.n_nonmanifold_vertices, "non-manifold vertices (shared by separate fans of triangles)");
     remark(report.n_isolated_vertices, "isolated vertices (in no triangle)");
-    remark(report.n_duplicate_vertices, "vertices at the position of another");
-    remark(report.n_degenerate_triangles, "degenerate triangles (a vertex twice)");
-    remark(report.n_zero_area_triangles, "triangles without area");
+    remark(report.n_duplicate_vertices, "duplicate vertices (at the position of another)");
+    remark(report.n_degenerate_triangles, "degenerate triangles (with a repeated vertex)");
+    remark(report.n_zero_area_triangles, "triangles of zero area");
     remark(report.n_duplicate_triangles, "duplicate triangles");
     if (!report.is_consistently_oriented)
-        text += "neighbouring triangles are not oriented alike everywhere\n";
+        text += "orientation is inconsistent: some neighboring triangles disagree\n";
     return text;
 }
 
 Json mesh_json(const MeshReport& report) {
     Json components = Json::array();
-    for (const ComponentReport& piece : report.components) {
-        const auto genus = piece.genus();
-        components.push_back({{"vertices", piece.n_vertices},
-                              {"edges", piece.n_edges},
-                              {"triangles", piece.n_triangles},
-                              {"boundary_loops", piece.n_boundary_loops},
-                              {"manifold", piece.is_manifold},
-                              {"orientable", piece.is_orientable},
-                              {"euler_characteristic", piece.euler_characteristic()},
+    for (const ComponentReport& component : report.components) {
+        const auto genus = component.genus();
+        components.push_back({{"vertices", component.n_vertices},
+                              {"edges", component.n_edges},
+                              {"triangles", component.n_triangles},
+                              {"boundary_loops", component.n_boundary_loops},
+                              {"manifold", component.is_manifold},
+                              {"orientable", component.is_orientable},
+                              {"euler_characteristic", component.euler_characteristic()},
                               {"genus", genus ? Json(*genus) : Json(nullptr)}});
     }
     const auto list = [](const Eigen::RowVector3d& p) { return Json{p[0], p[1], p[2]}; };
@@ -122,10 +122,9 @@ void run(const InspectCommand& command) {
 
 void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
-    CLI::App* inspect =
-        program.add_subcommand("inspect", "Say what a mesh is made of and what is unusual about it");
+    CLI::App* inspect = program.add_subcommand("inspect", "Print mesh statistics and defects");
     inspect->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
-    inspect->add_option("--components", command->n_components, "Number of components to describe; 0 or more")
+    inspect->add_option("--components", command->n_components, "Number of components to list; at least 0")
         ->capture_default_str();
     add_common_options(*inspect, command->common);
     inspect->callback([command] { run(*command); });

@@ -17,4 +17,8 @@ namespace counterpart::cli {
 SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
                             const TriangleMesh& target, const CommonOptions& options, int extend = 0);
 
+/// Reads a vertex map between these meshes. Throws IoError naming the file if it does not fit them.
+VertexMap load_vertex_map(const std::filesystem::path& file, const TriangleMesh& source,
+                          const TriangleMesh& target);
+
 }  // namespace counterpart::cli

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "interrupt.hpp"
+
+#include <counterpart/base/progress.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -27,12 +30,16 @@ int main(int argc, char** argv) {
     counterpart::cli::add_morph(program);
     counterpart::cli::add_align(program);
     counterpart::cli::add_view(program);
+    counterpart::cli::cancel_on_interrupt();
     try {
         program.parse(argc, argv);
         return 0;
     } catch (const CLI::ParseError& error) {
         // 0 for --help and --version; 2 for a command line that cannot be understood.
         return program.exit(error) == 0 ? 0 : 2;
+    } catch (const counterpart::Canceled&) {
+        std::fputs("interrupted\n", stderr);
+        return counterpart::cli::interrupted_code;
     } catch (const std::bad_alloc&) {
         std::fputs("error: out of memory\n", stderr);
     } catch (const std::exception& error) {

@@ -3,9 +3,10 @@
 #include "commands.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
+#include "match_spectral.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/io/map_file.hpp>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct MatchCommand {
     CommonOptions common;
     std::filesystem::path source, target, output;
     std::string method = "auto";
-    std::vector<MatchMethod> methods;
+    std::vector<MethodCommand> methods;
 };
 
 void run(const MatchCommand& command) {
@@ -30,7 +31,7 @@ void run(const MatchCommand& command) {
     const TriangleMesh target = load_mesh(command.target, command.common);
     watch.lap("read");
     const auto method = std::find_if(command.methods.begin(), command.methods.end(),
-                                     [&](const MatchMethod& m) { return m.name == command.method; });
+                                     [&](const MethodCommand& m) { return m.name == command.method; });
     const MatchOutcome outcome =
         method->run({source, target, command.common, progress_bar("matching", command.common)});
     watch.lap("match");
@@ -62,23 +63,24 @@ void run(const MatchCommand& command) {
 
 void add_match(CLI::App& program) {
     auto command = std::make_shared<MatchCommand>();
-    CLI::App* match = program.add_subcommand("match", "Find the vertex of TARGET for every vertex of SOURCE");
+    CLI::App* match = program.add_subcommand(
+        "match", "Find the vertex of TARGET that corresponds to each vertex of SOURCE");
     match->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
     match->add_option("TARGET", command->target, "Mesh file")->required();
     match
         ->add_option("-o,--output", command->output,
-                     "Map file: line i = target vertex of source vertex i, from 0; .npy too")
+                     "Map file, text or .npy: line i = target vertex of source vertex i, 0-based")
         ->required();
     const auto exact = std::make_shared<ExactArguments>();
-    command->methods = {add_exact_method(*match, exact), add_frontiers_method(*match),
-                        add_nearest_method(*match), add_hungarian_method(*match),
-                        add_spectral_method(*match)};
-    command->methods.insert(command->methods.begin(), add_auto_method(command->methods, exact));
+    const auto spectral = std::make_shared<SpectralArguments>();
+    command->methods = {add_auto_method(exact, spectral), add_exact_method(*match, exact),
+                        add_frontiers_method(*match),     add_spectral_method(*match, spectral),
+                        add_nearest_method(*match),       add_assignment_method(*match)};
 
     std::vector<std::string> names;
     std::string help = "One of";
-    for (const MatchMethod& method : command->methods) {
+    for (const MethodCommand& method : command->methods) {
         names.push_back(method.name);
         help += fmt::format("\n  {}: {}", method.name, method.summary);
     }

@@ -2,44 +2,64 @@
 // SPDX-License-Identifier: MIT
 #include "match_exact.hpp"
 #include "match_methods.hpp"
+#include "match_spectral.hpp"
 
-#include <algorithm>
+#include <counterpart/match/match.hpp>
+
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace counterpart::cli {
+namespace {
 
-// Exact if it applies, because its answer is a fact; else the best method for meshes that are connected
-// differently: the first of this list that is there.
-MatchMethod add_auto_method(const std::vector<MatchMethod>& methods,
-                            const std::shared_ptr<ExactArguments>& exact) {
-    return {"auto", "exact if the connectivity is the same, else spectral; says which and why",
-            [methods, exact](const MatchInput& input) {
-                exact->prepare();
-                ExactResult result = match_exact(input.source, input.target, exact->options);
-                if (result.identical || exact->allow_differences) {
-                    const char* const reason = result.identical
-                                                   ? "auto: exact, because the two meshes are connected alike"
-                                                   : "auto: exact, because of --allow-differences";
-                    MatchOutcome outcome = exact_outcome(input, *exact, std::move(result));
-                    outcome.messages.insert(outcome.messages.begin(), reason);
-                    outcome.details["chosen_method"] = "exact";
-                    return outcome;
-                }
-                for (const char* name : {"spectral", "nearest"}) {
-                    const auto method = std::find_if(methods.begin(), methods.end(),
-                                                     [&](const MatchMethod& m) { return m.name == name; });
-                    if (method == methods.end()) continue;
-                    const std::string reason = fmt::format("auto: {}, because the connectivity differs: {}",
-                                                           name, result.difference);
-                    say(input.common, reason);
-                    MatchOutcome outcome = method->run(input);
-                    outcome.details["chosen_method"] = name;
-                    outcome.details["reason"] = reason;
-                    return outcome;
-                }
-                return exact_outcome(input, *exact, std::move(result));
+MatchOptions options_of(const MatchInput& input, const ExactArguments& exact,
+                        const SpectralArguments& spectral) {
+    return {.exact = exact.options,
+            .spectral = spectral.options_for(input),
+            .spectral_shape = spectral.shape,
+            .n_threads = input.common.threads,
+            .progress = input.progress};
+}
+
+// Messages and report of the method that answered; writes the files it was asked for.
+MatchOutcome outcome_of(const MatchInput& input, const ExactArguments& exact,
+                        const SpectralArguments& spectral, const MatchResult& result) {
+    if (result.method == MatchMethod::spectral) return spectral_outcome(spectral, *result.spectral);
+    if (result.method == MatchMethod::exact && result.exact && result.exact->identical)
+        return exact_outcome(input, exact, *result.exact);
+    MatchOutcome outcome;
+    if (result.method == MatchMethod::exact) {
+        outcome = differences_outcome(input, *result.differences);
+        if (result.n_filled > 0)
+            outcome.messages.push_back(
+                fmt::format("{} unmatched vertices filled from their neighbors", result.n_filled));
+        outcome.details["filled_vertices"] = result.n_filled;
+    }
+    for (const std::string& sentence : result.warnings) warn(sentence);
+    return outcome;
+}
+
+}  // namespace
+
+MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
+                              const std::shared_ptr<SpectralArguments>& spectral) {
+    return {"auto",
+            "exact if the connectivity is the same or nearly so, else spectral; reports the choice and the "
+            "reason",
+            [exact, spectral](const MatchInput& input) {
+                if (exact->allow_differences) return exact->run(input);
+                const MatchResult result =
+                    match(input.source, input.target, options_of(input, *exact, *spectral));
+                MatchOutcome outcome = outcome_of(input, *exact, *spectral, result);
+                outcome.target_from_source = result.target_from_source;
+                outcome.stages = result.stages;
+                outcome.messages.insert(
+                    outcome.messages.begin(),
+                    fmt::format("auto: {}, because {}", to_string(result.method), result.reason));
+                outcome.details["chosen_method"] = to_string(result.method);
+                outcome.details["reason"] = result.reason;
+                return outcome;
             }};
 }
 

@@ -5,7 +5,7 @@
 #include "match_methods.hpp"
 
 #include <counterpart/io/map_file.hpp>
-#include <counterpart/match/difference.hpp>
+#include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 
 #include <cmath>
@@ -16,9 +16,9 @@
 namespace counterpart::cli {
 namespace {
 
-constexpr std::size_t most_listed = 10;  // of each kind on the screen; the report has all
+constexpr std::size_t max_listed = 10;  // edits on the screen; the report has all
 
-Json to_json(const Count& count) {
+Json count_to_json(const Count& count) {
     Json json = {{"text", to_string(count)}, {"lower_bound", count.is_lower_bound}};
     if (count.number) json["number"] = *count.number;
     if (std::isfinite(count.log10)) json["log10"] = count.log10;
@@ -49,7 +49,8 @@ Json triangles_to_json(const TriangleMesh& mesh, const std::vector<Index>& trian
     return json;
 }
 
-Json to_json(const MeshDifference& difference, const TriangleMesh& source, const TriangleMesh& target) {
+Json differences_to_json(const MeshDifferences& difference, const TriangleMesh& source,
+                         const TriangleMesh& target) {
     Json spots = Json::array();
     for (const Edit& edit : difference.edits) {
         spots.push_back({{"sentence", edit.sentence},
@@ -60,7 +61,7 @@ Json to_json(const MeshDifference& difference, const TriangleMesh& source, const
     }
     return {{"matched_vertices", count_matched(difference.target_from_source)},
             {"matched_triangles", difference.n_matched_triangles},
-            {"largest_matched_part_triangles", difference.largest_part},
+            {"largest_matched_region_triangles", difference.largest_region},
             {"uncertain_source_vertices", vertices_to_json(source, difference.uncertain)},
             {"source_only_vertices", vertices_to_json(source, difference.source_vertices)},
             {"target_only_vertices", vertices_to_json(target, difference.target_vertices)},
@@ -78,46 +79,50 @@ void write_alternatives(const std::vector<VertexMap>& maps, const std::string& p
     if (maps.empty()) outcome.messages.back() = "there is no symmetric alternative";
 }
 
-void run_difference(const MatchInput& input, const ExactArguments& arguments, const std::string& first,
-                    MatchOutcome& outcome) {
-    const MeshDifference difference = find_differences(input.source, input.target);
-    outcome.messages.push_back("the connectivity differs: " + first);
-    outcome.messages.push_back(difference.summary);
-    for (std::size_t i = 0; i < std::min(most_listed, difference.edits.size()); ++i)
-        outcome.messages.push_back("  " + difference.edits[i].sentence);
-    if (difference.edits.size() > most_listed)
-        outcome.messages.push_back(
-            fmt::format("  and {} more; --report lists all", difference.edits.size() - most_listed));
+// Where the connectivity differs: what the meshes share, as a map if it was asked for.
+MatchOutcome shared_outcome(const MatchInput& input, const ExactArguments& arguments,
+                            const std::string& first) {
+    MatchOutcome outcome = differences_outcome(
+        input, find_differences(input.source, input.target, {.n_threads = input.common.threads}));
+    outcome.messages.insert(outcome.messages.begin(), "the connectivity differs: " + first);
+    outcome.details["identical"] = false;
     outcome.details["first_difference"] = first;
-    outcome.details["difference"] = to_json(difference, input.source, input.target);
-    if (arguments.allow_differences) {
-        outcome.target_from_source = difference.target_from_source;
-    } else {
+    if (!arguments.allow_differences)
         outcome.failure =
-            "the two meshes are not connected alike; --allow-differences writes the map of what they share";
-    }
+            "the meshes have different connectivity; --allow-differences writes a map of the part they share";
+    return outcome;
 }
 
 }  // namespace
 
-MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result) {
+MatchOutcome differences_outcome(const MatchInput& input, const MeshDifferences& differences) {
     MatchOutcome outcome;
-    outcome.details = {{"identical", result.identical}};
-    if (!result.identical) {
-        run_difference(input, arguments, result.difference, outcome);
-        return outcome;
-    }
+    outcome.target_from_source = differences.target_from_source;
+    outcome.messages.push_back(differences.summary);
+    for (std::size_t i = 0; i < std::min(max_listed, differences.edits.size()); ++i)
+        outcome.messages.push_back("  " + differences.edits[i].sentence);
+    if (differences.edits.size() > max_listed)
+        outcome.messages.push_back(
+            fmt::format("  and {} more; --report lists all", differences.edits.size() - max_listed));
+    outcome.details["difference"] = differences_to_json(differences, input.source, input.target);
+    return outcome;
+}
+
+MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result) {
+    if (!result.identical) return shared_outcome(input, arguments, result.difference);
+    MatchOutcome outcome;
+    outcome.details = {{"identical", true}};
     Json equal = Json::array();
-    for (const EqualIslands& islands : result.interchangeable) {
-        equal.push_back({{"triangles", islands.n_triangles},
-                         {"source_vertices", islands.source},
-                         {"target_vertices", islands.target}});
+    for (const EqualComponents& components : result.interchangeable) {
+        equal.push_back({{"triangles", components.n_triangles},
+                         {"source_vertices", components.source},
+                         {"target_vertices", components.target}});
     }
     outcome.details.update(Json{{"path", result.path == ExactPath::surface ? "surface" : "patches"},
-                                {"islands", result.n_islands},
-                                {"automorphisms", to_json(result.automorphisms)},
-                                {"mirror_automorphisms", to_json(result.mirror_automorphisms)},
-                                {"interchangeable_islands", equal},
+                                {"components", result.n_components},
+                                {"automorphisms", count_to_json(result.automorphisms)},
+                                {"mirror_automorphisms", count_to_json(result.mirror_automorphisms)},
+                                {"interchangeable_components", equal},
                                 {"reversed_triangles", result.reversed_triangles},
                                 {"winding_reversed", result.winding_reversed},
                                 {"mirrored", result.mirrored}});
@@ -128,15 +133,22 @@ MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& argume
     return outcome;
 }
 
-MatchMethod add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments) {
-    match.add_flag(
-        "--allow-differences", arguments->allow_differences,
-        "exact: where the connectivity differs, write the map of what the meshes share, the rest -1");
+MatchOutcome ExactArguments::run(const MatchInput& input) const {
+    ExactOptions with_input = options;
+    with_input.max_alternatives = alternatives.empty() ? 0 : max_alternatives;
+    with_input.n_threads = input.common.threads;
+    with_input.progress = input.progress;
+    return exact_outcome(input, *this, match_exact(input.source, input.target, with_input));
+}
+
+MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments) {
+    match.add_flag("--allow-differences", arguments->allow_differences,
+                   "exact: if the connectivity differs, write a map of the shared part, with -1 elsewhere");
     match.add_flag("--allow-mirror", arguments->options.allow_mirror,
-                   "exact: geometry may choose a match that turns the surface over");
+                   "exact: also consider orientation-reversing matches");
     match
         .add_option("--weld", arguments->options.weld_distance,
-                    "exact: first weld vertices up to this far apart, mesh units, from 0; alone: 0")
+                    "exact: first merge vertices up to this far apart, in mesh units; without a value: 0")
         ->expected(0, 1)
         ->default_str("off")
         ->check(CLI::NonNegativeNumber);
@@ -145,15 +157,12 @@ MatchMethod add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgumen
                     "exact: write the other matches of a symmetric mesh to PREFIX1.txt, PREFIX2.txt, ...")
         ->type_name("PREFIX");
     match
-        .add_option("--max-alternatives", arguments->max_alternatives, "exact: how many of them, 1 to 10000")
+        .add_option("--max-alternatives", arguments->max_alternatives,
+                    "exact: maximum number of symmetric alternatives, 1 to 10000")
         ->check(CLI::Range(1, 10'000))
         ->capture_default_str();
-    return {"exact", "same connectivity: the match is a fact of the graph, any vertex order, any pose",
-            [arguments](const MatchInput& input) {
-                arguments->prepare();
-                return exact_outcome(input, *arguments,
-                                     match_exact(input.source, input.target, arguments->options));
-            }};
+    return {"exact", "same connectivity: determined by connectivity alone, in any vertex order and pose",
+            [arguments](const MatchInput& input) { return arguments->run(input); }};
 }
 
 }  // namespace counterpart::cli

@@ -4,6 +4,7 @@
 
 #include "match_methods.hpp"
 
+#include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 
 #include <memory>
@@ -17,11 +18,14 @@ struct ExactArguments {
     std::string alternatives;  // prefix of the files; empty: none
     Index max_alternatives = 100;
 
-    void prepare() { options.max_alternatives = alternatives.empty() ? 0 : max_alternatives; }
+    /// `match --method exact`.
+    MatchOutcome run(const MatchInput& input) const;
 };
 
-/// What to say and write of a result; where the connectivity differs, of the differences, which are looked
-/// for.
+/// Messages and report of a result; where the connectivity differs, also finds and reports the differences.
 MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result);
+
+/// The same of a partial match.
+MatchOutcome differences_outcome(const MatchInput& input, const MeshDifferences& differences);
 
 }  // namespace counterpart::cli

@@ -4,7 +4,6 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/frontiers.hpp>
-#include <counterpart/match/geodesic_frontiers.hpp>
 
 #include <map>
 #include <memory>
@@ -16,16 +15,16 @@ namespace {
 
 struct FrontiersArguments {
     FrontiersOptions options;
-    CLI::Option* pairing = nullptr;  // --paper pairs the closest unless told otherwise
+    CLI::Option* pairing = nullptr;  // --paper pairs the closest unless this is given
     bool positions_only = false, geodesic = false;
     Index n_bands = 0;
 };
 
-Json to_json(const ComponentMatch& component) {
+Json component_to_json(const ComponentMatch& component) {
     return {{"vertices", component.n_vertices},
             {"frontiers", component.n_frontiers},
-            {"source", component.source},
-            {"target_source", component.target},
+            {"source_seed", component.source},
+            {"target_seed", component.target},
             {"source_test", to_string(component.test)},
             {"alike_target_vertices", component.n_alike},
             {"interchangeable_components", component.n_interchangeable}};
@@ -37,7 +36,7 @@ MatchOutcome outcome_of(const FrontiersResult& result) {
     outcome.stages = result.stages;
     const ComponentMatch& largest = result.components.front();
     outcome.messages.push_back(
-        fmt::format("source vertex {} -> target vertex {} ({}); {} frontiers{}", largest.source,
+        fmt::format("seeds: source vertex {} -> target vertex {} ({}); {} frontiers{}", largest.source,
                     largest.target, to_string(largest.test), largest.n_frontiers,
                     result.components.size() > 1
                         ? fmt::format(" in the largest of {} components", result.components.size())
@@ -46,30 +45,30 @@ MatchOutcome outcome_of(const FrontiersResult& result) {
     for (const ComponentMatch& component : result.components) {
         n_interchangeable += component.n_interchangeable > 1 ? 1 : 0;
         if (component.n_alike > 1)
-            outcome.messages.push_back(fmt::format(
-                "{} target vertices look like source vertex {} by connectivity: positions decided",
-                component.n_alike, component.source));
+            outcome.messages.push_back(
+                fmt::format("{} target vertices match source seed {} by connectivity; positions decided",
+                            component.n_alike, component.source));
     }
     if (n_interchangeable > 0)
-        outcome.messages.push_back(fmt::format(
-            "{} components have others of the same connectivity: positions decided which is which",
-            n_interchangeable));
+        outcome.messages.push_back(
+            fmt::format("{} components share their connectivity with others; positions decided which match",
+                        n_interchangeable));
     const double confidence = result.confidence.mean();
-    outcome.messages.push_back(fmt::format("edges kept: {:.2f} %", 100 * confidence));
+    outcome.messages.push_back(fmt::format("preserved edges: {:.2f} %", 100 * confidence));
     outcome.details["mean_confidence"] = confidence;
     outcome.details["decided_by_position"] = result.n_decided_by_position;
     outcome.details["components"] = Json::array();
     for (const ComponentMatch& component : result.components)
-        outcome.details["components"].push_back(to_json(component));
+        outcome.details["components"].push_back(component_to_json(component));
     return outcome;
 }
 
 MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput& input) {
     if (arguments.positions_only || arguments.options.edge_splits)
-        throw InvalidInput("--positions-only and --edge-splits are for --distance hops");
+        throw InvalidInput("--positions-only and --edge-splits need --distance hops");
     GeodesicFrontiersOptions options;
-    options.source = arguments.options.source;
-    options.target_source = arguments.options.target_source;
+    options.source_seed = arguments.options.source_seed;
+    options.target_seed = arguments.options.target_seed;
     options.n_bands = arguments.n_bands;
     if (arguments.pairing->count() > 0) options.pairing = arguments.options.pairing;
     options.n_threads = input.common.threads;
@@ -78,14 +77,14 @@ MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput&
     MatchOutcome outcome;
     outcome.target_from_source = result.target_from_source;
     outcome.stages = result.stages;
-    outcome.messages.push_back(
-        fmt::format("source vertex {} -> target vertex {}: seen from them the shares of area differ by up to "
-                    "{:.1f} %; {} bands of equal geodesic distance",
-                    result.source, result.target_source, 100 * result.profile_difference, result.n_bands));
+    outcome.messages.push_back(fmt::format(
+        "seeds: source vertex {} -> target vertex {}; their area profiles differ by up to {:.1f} %; "
+        "{} geodesic bands",
+        result.source_seed, result.target_seed, 100 * result.profile_difference, result.n_bands));
     if (result.profile_difference > 0.1)
-        warn("the two surfaces do not look alike from these source vertices: do not rely on this map");
-    outcome.details = {{"source", result.source},
-                       {"target_source", result.target_source},
+        warn("the surfaces around the two seeds differ too much: this map is unreliable");
+    outcome.details = {{"source_seed", result.source_seed},
+                       {"target_seed", result.target_seed},
                        {"bands", result.n_bands},
                        {"profile_difference", result.profile_difference}};
     return outcome;
@@ -93,23 +92,27 @@ MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput&
 
 }  // namespace
 
-MatchMethod add_frontiers_method(CLI::App& match) {
+MethodCommand add_frontiers_method(CLI::App& match) {
     auto arguments = std::make_shared<FrontiersArguments>();
     FrontiersOptions& options = arguments->options;
     const std::string group = "Options of --method frontiers";
     match
-        .add_option("--source", options.source,
-                    "Source vertex, from 0; needs --target-source. Default: found")
+        .add_option("--source", options.source_seed,
+                    "Seed vertex of SOURCE, 0-based; needs --target-source. Default: selected automatically")
         ->check(CLI::NonNegativeNumber)
         ->group(group);
-    match.add_option("--target-source", options.target_source, "Its partner in TARGET; needs --source")
+    match
+        .add_option("--target-source", options.target_seed,
+                    "Corresponding seed vertex of TARGET; needs --source")
         ->check(CLI::NonNegativeNumber)
         ->group(group);
-    match.add_flag("--paper", options.paper, "As published: whole frontiers, each on its own, closest pairs")
+    match
+        .add_flag("--paper", options.paper,
+                  "As published: each whole frontier matched independently, by closest pairs")
         ->group(group);
     match
         .add_flag("--positions-only", arguments->positions_only,
-                  "Pair vertices by position and edges, without their sub-trees' hashes")
+                  "Pair vertices by position and edges only, without subtree hashes")
         ->group(group);
     match.add_flag("--edge-splits", options.edge_splits, "Split edges until there are sqrt(V) frontiers")
         ->group(group);
@@ -125,16 +128,16 @@ MatchMethod add_frontiers_method(CLI::App& match) {
             .add_option_function<std::string>(
                 "--distance",
                 [arguments](const std::string& kind) { arguments->geodesic = kind == "geodesic"; },
-                "hops, or geodesic: bands of equal distance, matched as published, for any two meshes")
+                "hops, or geodesic: bands of geodesic distance, matched as published, for any two meshes")
             ->check(CLI::IsMember({"hops", "geodesic"}))
             ->default_str("hops")
             ->group(group);
-    match.add_option("--bands", arguments->n_bands, "How many with --distance geodesic; 0 = sqrt(V)")
+    match.add_option("--bands", arguments->n_bands, "Number of bands with --distance geodesic; 0 = sqrt(V)")
         ->check(CLI::Range(0, 1'000'000))
         ->capture_default_str()
         ->needs(distance)
         ->group(group);
-    return {"frontiers", "the same connectivity: breadth-first frontiers, level by level",
+    return {"frontiers", "same connectivity: breadth-first frontiers, level by level",
             [arguments](const MatchInput& input) {
                 if (arguments->geodesic) return run_geodesic(*arguments, input);
                 FrontiersOptions run_options = arguments->options;

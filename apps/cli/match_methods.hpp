@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What `counterpart match` asks of each method. A method lives in match_<name>.cpp: it adds its own options
-// to the command and returns how to run it.
+// What `counterpart match` needs from each method. A method lives in match_<name>.cpp: it adds its own
+// options to the command and returns a function that runs it.
 #pragma once
 
 #include "console.hpp"
@@ -31,20 +31,21 @@ struct MatchOutcome {
     std::string failure;  ///< not empty: write the report, but no map, and fail with this sentence
 };
 
-struct MatchMethod {
+struct MethodCommand {
     std::string name;
     std::string summary;  ///< half a line for --help
     std::function<MatchOutcome(const MatchInput&)> run;
 };
 
-MatchMethod add_frontiers_method(CLI::App& match);
-MatchMethod add_hungarian_method(CLI::App& match);
+MethodCommand add_frontiers_method(CLI::App& match);
+MethodCommand add_assignment_method(CLI::App& match);
 struct ExactArguments;
+struct SpectralArguments;
 
-MatchMethod add_auto_method(const std::vector<MatchMethod>& methods,
-                            const std::shared_ptr<ExactArguments>& exact);
-MatchMethod add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
-MatchMethod add_nearest_method(CLI::App& match);
-MatchMethod add_spectral_method(CLI::App& match);
+MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
+                              const std::shared_ptr<SpectralArguments>& spectral);
+MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
+MethodCommand add_nearest_method(CLI::App& match);
+MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments);
 
 }  // namespace counterpart::cli

@@ -6,8 +6,8 @@
 
 namespace counterpart::cli {
 
-MatchMethod add_nearest_method(CLI::App& /*match*/) {
-    return {"nearest", "centres of mass aligned, then the closest vertex (the paper's naive baseline)",
+MethodCommand add_nearest_method(CLI::App& /*match*/) {
+    return {"nearest", "closest vertex after aligning the centroids (the paper's naive baseline)",
             [](const MatchInput& input) {
                 MatchOutcome outcome;
                 outcome.target_from_source =

@@ -4,9 +4,8 @@
 #include "load_map.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
-#include <counterpart/transfer/fill.hpp>
-#include <counterpart/transfer/fit_transform.hpp>
+#include <counterpart/base/progress.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/transfer/morph.hpp>
 
 #include <algorithm>
@@ -24,28 +23,6 @@ struct MorphCommand {
     int count = 24;
     MorphOptions options;
 };
-
-// The last pose with the first one's connectivity. Vertices that the map leaves out move with their
-// neighbours, after the motion of the whole.
-Points last_pose(const TriangleMesh& first, const TriangleMesh& last, const MorphCommand& command) {
-    const SurfaceMap map = load_surface_map(command.map, first, last, command.common);
-    const Points images = image_positions(map, last);
-    if (count_matched(map) == first.n_vertices()) return images;
-    std::vector<Index> matched;
-    for (Index v = 0; v < first.n_vertices(); ++v)
-        if (map[v].matched()) matched.push_back(v);
-    const Transform whole = fit_transform(Points(first.vertices(matched, Eigen::all)),
-                                          Points(images(matched, Eigen::all)), TransformModel::similarity);
-    const Points moved = whole(first.vertices);
-    const FillResult fill = fill_from_neighbors(Adjacency(first), images - moved);
-    if (fill.unknown > 0) {
-        throw InvalidInput(fmt::format(
-            "{} vertices of {} lie in components without any match; complete the map or remove them",
-            fill.unknown, command.first.string()));
-    }
-    say(command.common, fmt::format("{} vertices without a match follow their neighbours", fill.filled));
-    return moved + fill.values;
-}
 
 Json measured(const TriangleMesh& first, const Points& last, const std::vector<Points>& frames) {
     Json rows = Json::array();
@@ -77,15 +54,11 @@ std::string worst_of(const Json& rows, const std::string& prefix) {
         volume = std::min(volume, row[prefix + "volume_ratio"].get<double>());
         inverted += row[prefix + "inverted_triangles"].get<Index>();
     }
-    return fmt::format("edges off by {:.2f} %, volume down to {:.1f} %, {} triangles turned over",
+    return fmt::format("largest mean edge error {:.2f} %, least volume {:.1f} %, {} inverted triangles",
                        100 * error, 100 * volume, inverted);
 }
 
-bool is_one_file(const std::filesystem::path& output) {
-    return output.extension() == ".glb" || output.extension() == ".gltf";
-}
-
-// The first key frame with all it has, where each further frame is a morph target.
+// The first key frame with its attributes; each further frame is a morph target.
 void write_morph_targets(AttributedMesh content, const std::vector<Points>& frames, const Points& last,
                          const std::filesystem::path& output) {
     content.morphs.clear();
@@ -101,7 +74,8 @@ void write_frames(const TriangleMesh& first, const std::vector<Points>& frames, 
     std::error_code failure;
     std::filesystem::create_directories(command.output, failure);
     if (failure)
-        throw IoError(fmt::format("{}: cannot be made ({})", command.output.string(), failure.message()));
+        throw IoError(
+            fmt::format("{}: cannot create folder ({})", command.output.string(), failure.message()));
     const auto write = [&](const Points& vertices, std::size_t number) {
         write_mesh({vertices, first.triangles},
                    command.output / fmt::format("frame_{:04}{}", number, command.format));
@@ -118,13 +92,17 @@ void run(const MorphCommand& command) {
     const TriangleMesh last = load_mesh(command.last, command.common);
     MorphOptions options = command.options;
     options.n_threads = command.common.threads;
-    const Points pose = last_pose(first, last, command);
+    const LastPose placed =
+        last_pose(first, last, load_surface_map(command.map, first, last, command.common));
+    const Points& pose = placed.vertices;
+    if (placed.n_followers > 0)
+        say(command.common, fmt::format("{} unmatched vertices follow their neighbors", placed.n_followers));
     watch.lap("read");
     const std::vector<Points> frames =
         morph_frames(first, pose, command.count, options, progress_bar("morphing", command.common));
     watch.lap("morph");
 
-    if (is_one_file(command.output))
+    if (is_gltf(command.output))
         write_morph_targets(first_content, frames, pose, command.output);
     else
         write_frames(first, frames, pose, command);
@@ -148,29 +126,28 @@ void run(const MorphCommand& command) {
 
 void add_morph(CLI::App& program) {
     auto command = std::make_shared<MorphCommand>();
-    CLI::App* morph = program.add_subcommand("morph", "Make the frames between two poses A and B");
+    CLI::App* morph = program.add_subcommand("morph", "Interpolate between two poses A and B");
     morph->add_option("A", command->first, "Mesh file: the first key frame, whose connectivity is kept")
         ->required();
     morph->add_option("B", command->last, "Mesh file: the last key frame")->required();
-    morph->add_option("--map", command->map, "Map from A to B; without it vertex i of A is vertex i of B")
-        ->type_name("FILE");
+    morph->add_option("--map", command->map, "Map from A to B. Default: the identity")->type_name("FILE");
     morph->add_option("-n,--frames", command->count, "Number of in-between frames; 0 to 10000")
         ->check(CLI::Range(0, 10000))
         ->capture_default_str();
     morph
         ->add_option(
             "-o,--output", command->output,
-            "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all it has but "
-            "its morph targets, and the frames frame_0001 to frame_<n+1> as such")
+            "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all attributes "
+            "except morph targets, and frame_0001 to frame_<n+1> as its morph targets")
         ->required();
     morph
         ->add_option("--format", command->format,
-                     "Of the frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
+                     "File format of frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
         ->check(CLI::IsMember({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
         ->capture_default_str();
     morph
         ->add_option("--iterations", command->options.iterations,
-                     "Alternations per frame; more keeps edge lengths better; 0 to 100")
+                     "Iterations per frame, 0 to 100; more preserve edge lengths better")
         ->check(CLI::Range(0, 100))
         ->capture_default_str();
     add_common_options(*morph, command->common);

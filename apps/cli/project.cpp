@@ -3,8 +3,8 @@
 #include "commands.hpp"
 #include "load_map.hpp"
 
-#include <counterpart/io/surface_map_file.hpp>
-#include <counterpart/transfer/invert.hpp>
+#include <counterpart/io/map_file.hpp>
+#include <counterpart/map/invert.hpp>
 
 #include <memory>
 
@@ -28,16 +28,17 @@ void run(const ProjectCommand& command) {
                    {"source_vertices", source.n_vertices()},
                    {"matched_vertices", count_matched(target_from_source)}};
     if (!command.inverse.empty()) {
-        const MapPair pair =
-            with_inverse(target_from_source, source, target, {.n_threads = command.common.threads});
+        const MapPair pair = with_inverse(
+            target_from_source, source, target,
+            {.n_threads = command.common.threads, .progress = progress_bar("inverting", command.common)});
         target_from_source = pair.target_from_source;
         write_surface_map(pair.source_from_target, command.inverse);
         report["inverse_matched_vertices"] = count_matched(pair.source_from_target);
     }
     write_surface_map(target_from_source, command.output);
     say(command.common,
-        fmt::format("{} of {} vertices have a point on the target -> {}", count_matched(target_from_source),
-                    source.n_vertices(), command.output.string()));
+        fmt::format("{} of {} source vertices are mapped to a point on the target -> {}",
+                    count_matched(target_from_source), source.n_vertices(), command.output.string()));
     write_report(report, command.common);
 }
 
@@ -45,22 +46,22 @@ void run(const ProjectCommand& command) {
 
 void add_project(CLI::App& program) {
     auto command = std::make_shared<ProjectCommand>();
-    CLI::App* project =
-        program.add_subcommand("project", "Make a sub-vertex map (triangle and weights) from a vertex map");
+    CLI::App* project = program.add_subcommand(
+        "project", "Convert a vertex map to a sub-vertex map (triangle and barycentric weights)");
     project->add_option("SOURCE", command->source, "Mesh file")->required();
     project->add_option("TARGET", command->target, "Mesh file")->required();
     project->add_option("--map", command->map, "Map from SOURCE to TARGET")->required()->type_name("FILE");
     project
         ->add_option("-o,--output", command->output,
-                     "Line i = target triangle and three weights of source vertex i; .npy too")
+                     "Map file, text or .npy: line i = target triangle and three weights of source vertex i")
         ->required();
     project
         ->add_option("--inverse", command->inverse,
-                     "Also write the sub-vertex map from TARGET to SOURCE; the two are made to agree")
+                     "Also write the sub-vertex map from TARGET to SOURCE, made consistent with the other")
         ->type_name("FILE");
     project
         ->add_option("--extend", command->extend,
-                     "Rounds in which unmatched vertices follow their matched neighbours; 0 to 1000")
+                     "Rounds of extending the map to unmatched neighbors of matched vertices; 0 to 1000")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
     add_common_options(*project, command->common);

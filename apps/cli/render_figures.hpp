@@ -6,11 +6,10 @@
 
 #include "console.hpp"
 
-#include <counterpart/evaluation/ground_truth.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/render/charts.hpp>
-#include <counterpart/render/map_figures.hpp>
-#include <counterpart/render/mesh_figures.hpp>
+#include <counterpart/render/figures.hpp>
 
 #include <functional>
 #include <optional>
@@ -18,6 +17,8 @@
 #include <vector>
 
 namespace counterpart::cli {
+
+using namespace render;
 
 /// What the command line asks for, files already read and checked against each other.
 struct RenderRequest {
@@ -29,7 +30,7 @@ struct RenderRequest {
     std::optional<GroundTruth> truth;
 
     int width = 1600, height = 1000;
-    ViewOptions view;
+    CameraOptions view;
     Index vertex = -1, target_vertex = -1;
     Index every = 5, n_bases = 100, frontier = -1;
     bool dots = false;
@@ -37,7 +38,7 @@ struct RenderRequest {
     LineOptions lines;
     Colormap colormap = Colormap::magma;
 
-    /// The meshes from left to right, turned alike.
+    /// The meshes from left to right, in the same orientation.
     std::vector<PlacedMesh> placed() const;
     Image paint(const Scene& scene, int bottom = 0) const;
 };
@@ -55,7 +56,8 @@ std::vector<Figure> map_figures();
 std::vector<Figure> mesh_figures();
 std::vector<Figure> frontier_figures();
 
-/// --vertex, or the tip of the source; its partner by --target-vertex or the map, or the tip of the target.
+/// The seeds: --vertex or a critical point of the source; --target-vertex, the image of the source's seed
+/// under the map, or a critical point of the target.
 std::vector<Index> chosen_vertices(const RenderRequest& request);
 
 }  // namespace counterpart::cli

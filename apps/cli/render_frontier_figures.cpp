@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "render_figures.hpp"
 
-#include <counterpart/align/rigid.hpp>
 #include <counterpart/align/tps_rpm.hpp>
+#include <counterpart/align/transform.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/mesh/measure.hpp>
@@ -41,11 +41,11 @@ Image draw_shortcuts(const RenderRequest& request) {
             radius += 3.5 * (mesh.vertices.row(v) - mesh.vertices.row(center)).norm() /
                       static_cast<double>(adjacency.neighbors(center).size());
     }
-    // Seen from straight above the patch.
-    const Eigen::Vector3d outwards = vertex_normals(mesh).row(center).transpose();
-    View view = find_view(mesh, request.view);
-    if (request.view.direction == "auto" && outwards.squaredNorm() > 0.5)
-        view = Eigen::Quaterniond::FromTwoVectors(outwards, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    // Seen from straight above the region.
+    const Eigen::Vector3d outward = vertex_normals(mesh).row(center).transpose();
+    Camera view = find_camera(mesh, request.view);
+    if (request.view.direction == "auto" && outward.squaredNorm() > 0.5)
+        view = Eigen::Quaterniond::FromTwoVectors(outward, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     Scene scene;
     add_shortcuts(scene, mesh, Placement(patch_around(mesh, center, radius), view),
                   frontiers_of(mesh, center).level, center, radius);
@@ -76,7 +76,7 @@ FrontierInSpace take_frontier(const PlacedMesh& placed, const Frontiers& frontie
     return taken;
 }
 
-/// The largest frontier in one piece, else the largest.
+/// The largest connected frontier, else the largest.
 Index clearest_frontier(const TriangleMesh& mesh, const Frontiers& frontiers) {
     const FrontierLoops loops = frontier_loops(Adjacency(mesh), frontiers);
     const auto size_if_whole = [&](Index k) {
@@ -104,7 +104,7 @@ Eigen::Matrix3d facing_view(const Points& points) {
     return Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()).toRotationMatrix() * view;
 }
 
-/// Half the mean distance of neighbours, so that dots do not merge.
+/// Half the mean distance of neighbors, so that dots do not merge.
 double dot_radius(const FrontierInSpace& frontier, double size) {
     double sum = 0;
     for (const auto& [a, b] : frontier.edges) sum += (frontier.points.row(a) - frontier.points.row(b)).norm();
@@ -112,7 +112,7 @@ double dot_radius(const FrontierInSpace& frontier, double size) {
     return std::min(0.012 * size, 0.25 * spacing);
 }
 
-/// Left: the two frontiers with their centres of mass together. Right: the first bent onto the second by
+/// Left: the two frontiers with their centers of mass together. Right: the first bent onto the second by
 /// TPS-RPM. A map adds a line from each vertex to its partner.
 Image draw_alignment(const RenderRequest& request) {
     const std::vector<Index> sources = chosen_vertices(request);
@@ -158,16 +158,17 @@ Image draw_alignment(const RenderRequest& request) {
     RenderOptions options{
         .width = request.width, .height = request.height, .bottom = static_cast<int>(2.5 * text)};
     options.n_threads = request.common.threads;
-    Image image = render(scene, options);
+    options.progress = progress_bar("rendering", request.common);
+    Image image = render::render(scene, options);
     Drawing drawing{request.width, request.height, {}};
     const Frame frame = fit(scene, options);
     const auto label = [&](double x, const std::string& what) {
         drawing.shapes.emplace_back(Text{
             {frame.pixel({x, 0, 0}).x(), request.height - 1.6 * text}, what, text, {0.2, 0.2, 0.2}, 0.5});
     };
-    label(0.5 * (low.x() + high.x()), fmt::format("frontier {}: centres together", k));
+    label(0.5 * (low.x() + high.x()), fmt::format("frontier {}: centroids aligned", k));
     label(0.5 * (low.x() + high.x()) + 1.15 * width + 0.05 * size, "after TPS-RPM");
-    counterpart::draw(drawing, image);
+    render::draw(drawing, image);
     return image;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "render_figures.hpp"
+#include "truth_options.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace counterpart::cli {
 namespace {
@@ -30,27 +30,14 @@ EvaluationReport score(const RenderRequest& request, const VertexMap& map, std::
     return evaluate(map, *request.truth, request.source, *request.target, options);
 }
 
-/// Mean error of the pairs that name each vertex, NaN for vertices in none; unmatched pairs do not count.
-Vector errors_at(const GroundTruth& truth, const Vector& error, Index n_vertices, bool at_source) {
-    Vector sum = Vector::Zero(n_vertices), count = Vector::Zero(n_vertices);
-    for (std::size_t i = 0; i < truth.pairs.size(); ++i) {
-        const Index v = at_source ? truth.pairs[i].first : truth.pairs[i].second;
-        const double e = error[static_cast<Eigen::Index>(i)];
-        if (!std::isnan(e)) sum[v] += e, count[v] += 1;
-    }
-    return sum.binaryExpr(
-        count, [](double s, double n) { return n > 0 ? s / n : std::numeric_limits<double>::quiet_NaN(); });
-}
-
-/// Fills vertices without a value from their neighbours.
+/// Fills vertices without a value from their neighbors.
 Vector filled(const Vector& values, const TriangleMesh& mesh) {
-    return carry(values.replicate(1, 3), identity_map(mesh.n_vertices()), mesh).col(0);
+    return transfer_to_target(values.replicate(1, 3), identity_map(mesh.n_vertices()), mesh).col(0);
 }
 
 Image draw_error(const RenderRequest& request) {
     const EvaluationReport report = score(request, request.maps[0], {});
-    const Vector error = report.error * (100 / std::sqrt(report.target_area));
-    // An end of the scale that a few outliers do not decide, and that is round.
+    // A round end of the scale that does not depend on a few outliers.
     double max = request.max_error;
     if (max == 0) {
         const double high = std::isfinite(report.percentile_95_error) ? report.percentile_95_error : 1;
@@ -59,9 +46,9 @@ Image draw_error(const RenderRequest& request) {
     }
     const std::vector<PlacedMesh> placed = request.placed();
     Scene scene;
-    for (int side = 0; side < 2; ++side) {
-        const PlacedMesh& mesh = placed[static_cast<std::size_t>(side)];
-        const Vector values = errors_at(*request.truth, error, mesh.mesh.n_vertices(), side == 0);
+    for (const PairEnd end : {PairEnd::source, PairEnd::target}) {
+        const PlacedMesh& mesh = placed[end == PairEnd::source ? 0 : 1];
+        const Vector values = mean_vertex_errors(*request.truth, report, end, mesh.mesh.n_vertices());
         scene.surfaces.push_back(value_surface(mesh, filled(values, mesh.mesh), max, request.colormap));
     }
     const double text = std::max(11.0, request.height / 45.0);
@@ -70,7 +57,7 @@ Image draw_error(const RenderRequest& request) {
     add_color_bar(drawing,
                   {0.33 * request.width, request.height - 4.4 * text, 0.34 * request.width, 0.8 * text,
                    request.colormap, max, "geodesic error x 100 / sqrt(target area)", text});
-    counterpart::draw(drawing, image);
+    render::draw(drawing, image);
     return image;
 }
 
@@ -97,14 +84,14 @@ Drawing draw_curve(const RenderRequest& request) {
 }  // namespace
 
 std::vector<Figure> map_figures() {
-    return {{"colors", "the source painted by position, the paint carried to the target", true, true, false,
+    return {{"colors", "the source colored by position, colors transferred to the target", true, true, false,
              [](const RenderRequest& r) { return draw_texture(r, Texture::colors); }},
-            {"checker", "the same with squares, in which stretch and tears show", true, true, false,
+            {"checker", "the same with a checkerboard, which shows stretch and tears", true, true, false,
              [](const RenderRequest& r) { return draw_texture(r, Texture::checker); }},
             {"lines", "lines between matched points", true, true, false, draw_lines},
-            {"error", "distance from the truth as colours, on both meshes", true, true, true, draw_error},
+            {"error", "geodesic errors as colors, on both meshes", true, true, true, draw_error},
             {"curve",
-             "share of vertices within an error, for one or several maps; PNG or SVG",
+             "fraction of pairs within each error, for one or more maps; PNG or SVG",
              true,
              true,
              true,

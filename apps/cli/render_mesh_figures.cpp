@@ -20,23 +20,22 @@ Image draw_plain(const RenderRequest& request) {
     return request.paint(scene);
 }
 
-BaseVertices sample_bases(const RenderRequest& request, const TriangleMesh& mesh) {
-    BaseVertexOptions options;
+FarthestPointSamples sample_bases(const RenderRequest& request, const TriangleMesh& mesh) {
+    FarthestPointOptions options;
     options.count = request.n_bases;
     options.radius = request.radius;
-    return base_vertices(mesh, DistanceGraph(mesh), options);
+    return farthest_point_samples(mesh, DistanceGraph(mesh), options);
 }
 
 Image draw_bases(const RenderRequest& request) {
     Scene scene;
     for (const PlacedMesh& placed : request.placed())
-        add_base_vertices(scene, placed.mesh, placed.placement, sample_bases(request, placed.mesh));
+        add_farthest_point_samples(scene, placed.mesh, placed.placement, sample_bases(request, placed.mesh));
     return request.paint(scene);
 }
 
-/// Distances between the base vertices of the source, and between their images (or, without a map, between
-/// base vertices of the target's own): rows in the order of distance from the first, so that neighbouring
-/// rows are near.
+/// Distances between farthest-point samples of the source and, next to them, between their images. Samples
+/// are ordered by their distance from the seed, so that consecutive rows belong to nearby samples.
 Image draw_matrix(const RenderRequest& request) {
     const DistanceGraph graph(request.source);
     std::vector<Index> bases = sample_bases(request, request.source).vertices;
@@ -51,14 +50,14 @@ Image draw_matrix(const RenderRequest& request) {
         return square;
     };
     std::vector<Matrix> matrices = {matrix(request.source, bases)};
-    std::vector<std::string> titles = {fmt::format("source: {} base vertices", bases.size())};
+    std::vector<std::string> titles = {fmt::format("source: {} farthest-point samples", bases.size())};
     if (request.target) {
         std::vector<Index> images;
         for (const Index v : bases)
             if (request.maps[0][v] != VertexMap::unmatched) images.push_back(request.maps[0][v]);
-        if (images.empty()) throw InvalidInput("the map matches none of the base vertices");
+        if (images.empty()) throw InvalidInput("the map matches none of the farthest-point samples");
         matrices.push_back(matrix(*request.target, images));
-        titles.push_back("target: the vertices they are mapped to");
+        titles.push_back("target: their images");
     }
     return matrix_picture(matrices, titles, request.width, request.height);
 }
@@ -67,8 +66,8 @@ Index tip(const TriangleMesh& mesh) { return critical_points(mesh, DistanceGraph
 
 Index checked(Index v, const TriangleMesh& mesh, const char* option) {
     if (v >= mesh.n_vertices())
-        throw InvalidInput(
-            fmt::format("{} {}: there are only {} vertices, counted from 0", option, v, mesh.n_vertices()));
+        throw InvalidInput(fmt::format("{} {} is not a vertex: vertices run from 0 to {}", option, v,
+                                       mesh.n_vertices() - 1));
     return v;
 }
 
@@ -84,7 +83,7 @@ std::vector<Index> chosen_vertices(const RenderRequest& request) {
         vertices.push_back(request.maps[0][vertices[0]]);
         if (vertices[1] == VertexMap::unmatched)
             throw InvalidInput(
-                fmt::format("the map leaves out vertex {}; choose another --vertex", vertices[0]));
+                fmt::format("the map leaves vertex {} unmatched; choose another --vertex", vertices[0]));
     } else {
         vertices.push_back(tip(*request.target));
     }
@@ -93,8 +92,9 @@ std::vector<Index> chosen_vertices(const RenderRequest& request) {
 
 std::vector<Figure> mesh_figures() {
     return {{"plain", "one or two meshes as they are", false, false, false, draw_plain},
-            {"bases", "base vertices (--bases, --radius) and their patches", false, false, false, draw_bases},
-            {"matrix", "distances between base vertices, beside those between their images", false, false,
+            {"bases", "farthest-point samples (--bases, --radius) and their cells", false, false, false,
+             draw_bases},
+            {"matrix", "distances between farthest-point samples, and between their images", false, false,
              false, draw_matrix}};
 }
 

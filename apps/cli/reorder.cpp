@@ -4,16 +4,12 @@
 #include "console.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/base/progress.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
-#include <algorithm>
-#include <cctype>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -27,19 +23,9 @@ struct ReorderCommand {
     std::filesystem::path source, target, output;
 };
 
-bool is_obj(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".obj";
-}
+bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// Only how many vertices there are and what triangles they make.
+// The least OBJ text with these triangles: reorder_obj takes only the faces from it.
 std::string obj_faces(const TriangleMesh& mesh) {
     std::string text;
     for (Index v = 0; v < mesh.n_vertices(); ++v) text += "v 0 0 0\n";
@@ -60,14 +46,15 @@ void run(const ReorderCommand& command) {
     watch.lap("match");
     if (!match.identical) {
         throw InvalidInput(
-            "the two meshes are not connected alike (" + match.difference +
-            "), so there is no order to restore; 'match --method exact' tells where they differ");
+            "the meshes have different connectivity (" + match.difference +
+            "), so the order cannot be restored; 'match --method exact' reports where they differ");
     }
     for (const std::string& notice : match.notices) say(command.common, notice);
     if (is_obj(command.target) && is_obj(command.output)) {
-        const std::string faces = is_obj(command.source) ? bytes_of(command.source) : obj_faces(source);
-        write_file(reorder_obj(faces, bytes_of(command.target), match.target_from_source, source.triangles,
-                               match.target_corner_from_source),
+        const std::string faces =
+            is_obj(command.source) ? read_whole_file(command.source) : obj_faces(source);
+        write_file(reorder_obj(faces, read_whole_file(command.target), match.target_from_source,
+                               source.triangles, match.target_corner_from_source),
                    command.output);
     } else {
         write_attributed_mesh(reorder(source_content, target_content, match.target_from_source,
@@ -91,20 +78,21 @@ void run(const ReorderCommand& command) {
 void add_reorder(CLI::App& program) {
     auto command = std::make_shared<ReorderCommand>();
     CLI::App* reorder = program.add_subcommand(
-        "reorder", "Write TARGET's shape with the vertex order and the faces of SOURCE (same connectivity)");
-    reorder->add_option("SOURCE", command->source, "Mesh file whose order is wanted")->required();
-    reorder->add_option("TARGET", command->target, "Mesh file whose shape is wanted")->required();
+        "reorder", "Write TARGET with the vertex order and faces of SOURCE (same connectivity)");
+    reorder->add_option("SOURCE", command->source, "Mesh file with the wanted order")->required();
+    reorder->add_option("TARGET", command->target, "Mesh file with the wanted shape")->required();
     reorder
-        ->add_option("-o,--output", command->output,
-                     "Mesh file; from .obj to .obj positions keep their text, texture coordinates and "
-                     "normals their corners, polygons, groups and materials are the source's. glTF has the "
-                     "target's attributes, materials and skeleton, or the source's if the target is bare")
+        ->add_option(
+            "-o,--output", command->output,
+            "Mesh file. From .obj to .obj, positions keep their text and corners their texture coordinates "
+            "and normals; polygons, groups and materials are those of SOURCE. glTF gets the attributes, "
+            "materials and skeleton of TARGET, or of SOURCE if TARGET has none")
         ->required();
     reorder->add_flag("--allow-mirror", command->options.allow_mirror,
-                      "Geometry may choose a match that turns the surface over");
+                      "Also consider orientation-reversing matches");
     reorder
         ->add_option("--weld", command->options.weld_distance,
-                     "First weld vertices up to this far apart, mesh units, from 0; alone: 0")
+                     "First merge vertices up to this far apart, in mesh units; without a value: 0")
         ->expected(0, 1)
         ->default_str("off")
         ->check(CLI::NonNegativeNumber);

@@ -22,7 +22,8 @@ struct SpectrumCommand {
 void run(const SpectrumCommand& command) {
     const TriangleMesh mesh = load_mesh(command.mesh, command.common);
     const LaplaceBeltrami laplacian = laplace_beltrami(mesh);
-    const EigenBasis basis = eigen_basis(laplacian, command.count);
+    const EigenBasis basis =
+        eigen_basis(laplacian, command.count, progress_bar("eigenfunctions", command.common));
     write_npy(basis.eigenvalues, command.eigenvalues);
     if (!command.functions.empty()) write_npy(Matrix(basis.eigenfunctions), command.functions);
     if (!command.mass.empty()) write_npy(basis.mass, command.mass);
@@ -44,14 +45,16 @@ void run(const SpectrumCommand& command) {
 void add_spectrum(CLI::App& program) {
     auto command = std::make_shared<SpectrumCommand>();
     CLI::App* spectrum =
-        program.add_subcommand("spectrum", "Laplace eigenvalues and eigenfunctions of a mesh");
+        program.add_subcommand("spectrum", "Compute Laplace eigenvalues and eigenfunctions of a mesh");
     spectrum->add_option("MESH", command->mesh, "Mesh file")->required();
     spectrum->add_option("-o,--output", command->eigenvalues, "Eigenvalues, a vector (.npy)")->required();
     spectrum->add_option("--functions", command->functions, "Eigenfunctions, vertices x count (.npy)")
         ->type_name("FILE");
-    spectrum->add_option("--mass", command->mass, "Vertex areas, under which they are orthonormal (.npy)")
+    spectrum
+        ->add_option("--mass", command->mass,
+                     "Vertex areas (.npy): the mass matrix under which eigenfunctions are orthonormal")
         ->type_name("FILE");
-    spectrum->add_option("--count", command->count, "How many")
+    spectrum->add_option("--count", command->count, "Number of eigenvalues; 1 to 1000")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
     add_common_options(*spectrum, command->common);

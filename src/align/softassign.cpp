@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace counterpart {
+namespace counterpart::align {
 namespace {
 
 constexpr std::size_t lanes = 16;
@@ -95,7 +95,7 @@ Softassign::Softassign(const Matrix& target, Eigen::Index n_source, const Softas
       stride_((m_ + lanes - 1) / lanes * lanes),
       dimension_(target.cols()),
       target_(3 * stride_, 0.F),
-      target_centre_(target.colwise().mean()),
+      target_center_(target.colwise().mean()),
       weights_(n_ * stride_),
       row_outlier_(n_),
       col_outlier_(stride_),
@@ -113,7 +113,7 @@ void Softassign::update(const Matrix& transformed, double temperature) {
     const double t0 = options_.outlier_temperature;
     const auto exponent = static_cast<float>(-0.5 / temperature);
     const auto height = static_cast<float>(1 / temperature);
-    const Eigen::RowVectorXd source_centre = transformed.colwise().mean();
+    const Eigen::RowVectorXd source_center = transformed.colwise().mean();
     const auto outlier = [&](double squared_distance) {
         return static_cast<float>(std::exp(-0.5 * squared_distance / t0) / t0);
     };
@@ -124,12 +124,12 @@ void Softassign::update(const Matrix& transformed, double temperature) {
         float* weights = weights_.data() + i * stride_;
         gaussian_row(target_.data(), stride_, point, exponent, height, weights);
         std::fill(weights + m_, weights + stride_, 0.F);
-        row_outlier_[i] = outlier((row - target_centre_).squaredNorm());
+        row_outlier_[i] = outlier((row - target_center_).squaredNorm());
     }
     for (std::size_t j = 0; j < m_; ++j) {
         double squared = 0;
         for (Eigen::Index d = 0; d < dimension_; ++d) {
-            const double difference = target_[static_cast<std::size_t>(d) * stride_ + j] - source_centre[d];
+            const double difference = target_[static_cast<std::size_t>(d) * stride_ + j] - source_center[d];
             squared += difference * difference;
         }
         col_outlier_[j] = outlier(squared);
@@ -182,8 +182,8 @@ double Softassign::hardness() const {
 Matrix softassign_reference(const Matrix& target, const Matrix& transformed, double temperature,
                             const SoftassignOptions& options) {
     const Eigen::Index n = transformed.rows(), m = target.rows();
-    const Eigen::RowVectorXd target_centre = target.colwise().mean(),
-                             source_centre = transformed.colwise().mean();
+    const Eigen::RowVectorXd target_center = target.colwise().mean(),
+                             source_center = transformed.colwise().mean();
     const auto weight = [](const Eigen::RowVectorXd& difference, double t) {
         return std::exp(-difference.squaredNorm() / (2 * t)) / t;
     };
@@ -191,10 +191,10 @@ Matrix softassign_reference(const Matrix& target, const Matrix& transformed, dou
     for (Eigen::Index i = 0; i < n; ++i) {
         for (Eigen::Index j = 0; j < m; ++j)
             full(i, j) = weight(transformed.row(i) - target.row(j), temperature);
-        full(i, m) = weight(transformed.row(i) - target_centre, options.outlier_temperature);
+        full(i, m) = weight(transformed.row(i) - target_center, options.outlier_temperature);
     }
     for (Eigen::Index j = 0; j < m; ++j)
-        full(n, j) = weight(target.row(j) - source_centre, options.outlier_temperature);
+        full(n, j) = weight(target.row(j) - source_center, options.outlier_temperature);
     for (int round = 0; round < options.max_sinkhorn; ++round) {
         for (Eigen::Index i = 0; i < n; ++i) full.row(i) /= std::max(full.row(i).sum(), 1e-300);
         for (Eigen::Index j = 0; j < m; ++j) full.col(j) /= std::max(full.col(j).sum(), 1e-300);
@@ -202,4 +202,4 @@ Matrix softassign_reference(const Matrix& target, const Matrix& transformed, dou
     return full.topLeftCorner(n, m);
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::align

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::align {
 
 struct SoftassignOptions {
     double outlier_temperature = 1;  ///< T0: width and height of the two outlier Gaussians
@@ -27,7 +27,7 @@ class Softassign {
     Softassign(const Matrix& target, Eigen::Index n_source, const SoftassignOptions& options);
 
     /// Assignment of the transformed source points (N x D) to the target at temperature T:
-    /// m_ij = exp(-|f_i - y_j|^2 / 2T) / T, outliers exp(-|f_i - centre|^2 / 2 T0) / T0, then Sinkhorn.
+    /// m_ij = exp(-|f_i - y_j|^2 / 2T) / T, outliers exp(-|f_i - center|^2 / 2 T0) / T0, then Sinkhorn.
     void update(const Matrix& transformed, double temperature);
 
     /// Row i: sum over j of m_ij y_j / sum over j of m_ij; a row without weight keeps `fallback`'s.
@@ -42,7 +42,7 @@ class Softassign {
     std::size_t n_, m_, stride_;  // stride: m rounded up to whole vectors, padded with weight 0
     Eigen::Index dimension_;
     std::vector<float> target_;  // 3 rows of `stride_`; z is 0 in 2D
-    Eigen::RowVectorXd target_centre_;
+    Eigen::RowVectorXd target_center_;
     std::vector<float> weights_;  // E
     std::vector<float> row_outlier_, col_outlier_;
     std::vector<float> u_, v_, column_sums_;
@@ -53,4 +53,4 @@ class Softassign {
 Matrix softassign_reference(const Matrix& target, const Matrix& transformed, double temperature,
                             const SoftassignOptions& options);
 
-}  // namespace counterpart
+}  // namespace counterpart::align

@@ -11,21 +11,21 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
-namespace counterpart {
+namespace counterpart::align {
 namespace {
 
-constexpr std::size_t lanes = 8;
+constexpr std::size_t sum_lanes = 8;
 
 // out[i] = row i of `matrix` times three columns, `stride` apart.
 COUNTERPART_MULTIVERSION void rows_times_three(const double* matrix, std::size_t n_rows,
                                                std::size_t n_columns, const double* columns,
                                                std::size_t stride, double* out) {
-    const std::size_t whole = n_columns / lanes * lanes;
+    const std::size_t whole = n_columns / sum_lanes * sum_lanes;
     for (std::size_t i = 0; i < n_rows; ++i) {
         const double* row = matrix + i * n_columns;
-        double x[lanes] = {}, y[lanes] = {}, z[lanes] = {};
-        for (std::size_t j = 0; j < whole; j += lanes) {
-            for (std::size_t k = 0; k < lanes; ++k) {
+        double x[sum_lanes] = {}, y[sum_lanes] = {}, z[sum_lanes] = {};
+        for (std::size_t j = 0; j < whole; j += sum_lanes) {
+            for (std::size_t k = 0; k < sum_lanes; ++k) {
                 x[k] += row[j + k] * columns[j + k];
                 y[k] += row[j + k] * columns[stride + j + k];
                 z[k] += row[j + k] * columns[2 * stride + j + k];
@@ -36,7 +36,7 @@ COUNTERPART_MULTIVERSION void rows_times_three(const double* matrix, std::size_t
             y[0] += row[j] * columns[stride + j];
             z[0] += row[j] * columns[2 * stride + j];
         }
-        for (std::size_t k = 1; k < lanes; ++k) {
+        for (std::size_t k = 1; k < sum_lanes; ++k) {
             x[0] += x[k];
             y[0] += y[k];
             z[0] += z[k];
@@ -68,10 +68,10 @@ Matrix spline_kernel(const Matrix& a, const Matrix& b) {
     return kernel.unaryExpr([](double r2) { return r2 > 0 ? 0.5 * r2 * std::log(r2) : 0.0; });
 }
 
-SplineSystem::SplineSystem(const Matrix& controls) : centre_(controls.colwise().mean()) {
+SplineSystem::SplineSystem(const Matrix& controls) : center_(controls.colwise().mean()) {
     const Eigen::Index n = controls.rows();
     polynomial_.resize(n, controls.cols() + 1);
-    polynomial_ << Vector::Ones(n), controls.rowwise() - centre_;
+    polynomial_ << Vector::Ones(n), controls.rowwise() - center_;
     normal_ = polynomial_.transpose() * polynomial_;
 
     // Controls on a line or plane make P rank-deficient: pivoting finds what it does span.
@@ -89,7 +89,7 @@ SplineSystem::SplineSystem(const Matrix& controls) : centre_(controls.colwise().
     const auto q2 = q.rightCols(n_bending);
     const Eigen::MatrixXd kernel = spline_kernel(controls, controls);
     const Eigen::MatrixXd kernel_q2 = kernel * q2;
-    const auto eigen = symmetric_eigen(Eigen::MatrixXd(q2.transpose() * kernel_q2));
+    const auto eigen = numerics::symmetric_eigen(Eigen::MatrixXd(q2.transpose() * kernel_q2));
     // Non-negative in exact arithmetic: the kernels are conditionally positive definite.
     bending_ = eigen.values.cwiseMax(0);
     basis_ = (q2 * eigen.vectors).transpose();
@@ -106,7 +106,7 @@ SplineSystem::Fit SplineSystem::fit(const Matrix& images, double bending_weight,
     const Matrix bent = slim_product(kernel_basis_, fit.coefficients);
 
     Matrix identity = Matrix::Zero(dimension + 1, dimension);
-    identity.row(0) = centre_;
+    identity.row(0) = center_;
     identity.bottomRows(dimension).setIdentity();
     const Matrix rest = images - bent - polynomial_ * identity;
     if (affine_weight > 0) {
@@ -117,8 +117,8 @@ SplineSystem::Fit SplineSystem::fit(const Matrix& images, double bending_weight,
         fit.affine = identity + Matrix(polynomial_solution_ * rest);
     }
     fit.fitted = polynomial_ * fit.affine + bent;
-    fit.affine.row(0) -= centre_ * fit.affine.bottomRows(dimension);
+    fit.affine.row(0) -= center_ * fit.affine.bottomRows(dimension);
     return fit;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::align

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// The linear algebra of the thin-plate spline, with all that depends on the control points alone done once.
+// The linear algebra of the thin-plate spline; what depends only on the control points is computed once.
 #pragma once
 
 #include <counterpart/base/types.hpp>
 
-namespace counterpart {
+namespace counterpart::align {
 
 /// phi(|a_i - b_j|): r^2 log r in 2D, -r in 3D.
 Matrix spline_kernel(const Matrix& a, const Matrix& b);
@@ -28,8 +28,8 @@ class SplineSystem {
     Matrix weights(const Fit& fit) const { return basis_.transpose() * fit.coefficients; }
 
   private:
-    Eigen::RowVectorXd centre_;   // of the controls; the affine part is fitted about it
-    Matrix polynomial_;           // P = [1 controls - centre], K x (D + 1)
+    Eigen::RowVectorXd center_;   // of the controls; the affine part is fitted about it
+    Matrix polynomial_;           // P = [1 controls - center], K x (D + 1)
     Matrix basis_;                // (Q2 U)', (K - rank P) x K
     Matrix kernel_basis_;         // Phi Q2 U, K x (K - rank P)
     Vector bending_;              // S
@@ -37,4 +37,4 @@ class SplineSystem {
     Matrix polynomial_solution_;  // pseudo-inverse of P, for affine_weight = 0
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::align

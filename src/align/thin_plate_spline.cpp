@@ -16,11 +16,12 @@ namespace {
 void require_points(const Matrix& controls, const Matrix& images, double regularization) {
     if (controls.rows() != images.rows() || controls.cols() != images.cols() || controls.rows() == 0)
         throw InvalidInput(
-            fmt::format("thin-plate spline: controls ({} x {}) and images ({} x {}) must be equally many",
+            fmt::format("thin-plate spline: controls ({} x {}) and images ({} x {}) must have the same size, "
+                        "with at least one row",
                         controls.rows(), controls.cols(), images.rows(), images.cols()));
     if (controls.cols() != 2 && controls.cols() != 3)
         throw InvalidInput(
-            fmt::format("thin-plate spline: points have 2 or 3 coordinates, not {}", controls.cols()));
+            fmt::format("thin-plate spline: points must have 2 or 3 coordinates, not {}", controls.cols()));
     if (!controls.allFinite() || !images.allFinite())
         throw InvalidInput("thin-plate spline: a coordinate is not finite");
     if (!(regularization >= 0))
@@ -33,8 +34,8 @@ void require_points(const Matrix& controls, const Matrix& images, double regular
 ThinPlateSpline::ThinPlateSpline(const Matrix& controls, const Matrix& images, double regularization)
     : controls_(controls) {
     require_points(controls, images, regularization);
-    const SplineSystem system(controls);
-    const SplineSystem::Fit fit = system.fit(images, regularization, 0);
+    const align::SplineSystem system(controls);
+    const align::SplineSystem::Fit fit = system.fit(images, regularization, 0);
     affine_ = fit.affine;
     weights_ = system.weights(fit);
     const double extent = (images.rowwise() - images.colwise().mean()).cwiseAbs().maxCoeff();
@@ -52,8 +53,8 @@ ThinPlateSpline::ThinPlateSpline(Matrix controls, Matrix affine, Matrix weights)
 
 Matrix ThinPlateSpline::operator()(const Matrix& points) const {
     if (points.cols() != controls_.cols())
-        throw InvalidInput(fmt::format("thin-plate spline: the spline is {}-dimensional, the points are not",
-                                       controls_.cols()));
+        throw InvalidInput(fmt::format(
+            "thin-plate spline: the points must have {} coordinates, as the controls do", controls_.cols()));
     Matrix result(points.rows(), points.cols());
     constexpr Eigen::Index block = 1024;  // bounds the kernel matrix
     for (Eigen::Index begin = 0; begin < points.rows(); begin += block) {
@@ -61,13 +62,13 @@ Matrix ThinPlateSpline::operator()(const Matrix& points) const {
         const Matrix part = points.middleRows(begin, size);
         result.middleRows(begin, size) =
             ((part * affine_.bottomRows(part.cols())).rowwise() + affine_.row(0)) +
-            spline_kernel(part, controls_) * weights_;
+            align::spline_kernel(part, controls_) * weights_;
     }
     return result;
 }
 
 double ThinPlateSpline::bending_energy() const {
-    return (weights_.transpose() * spline_kernel(controls_, controls_) * weights_).trace();
+    return (weights_.transpose() * align::spline_kernel(controls_, controls_) * weights_).trace();
 }
 
 }  // namespace counterpart

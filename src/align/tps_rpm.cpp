@@ -18,7 +18,7 @@
 namespace counterpart {
 namespace {
 
-void require_usable(const Matrix& source, const Matrix& target, const TpsRpmOptions& o) {
+void require_point_sets(const Matrix& source, const Matrix& target, const TpsRpmOptions& o) {
     if (source.rows() == 0 || target.rows() == 0 || source.cols() != target.cols() ||
         (source.cols() != 2 && source.cols() != 3))
         throw InvalidInput(
@@ -34,7 +34,7 @@ void require_usable(const Matrix& source, const Matrix& target, const TpsRpmOpti
     if (!(o.initial_temperature >= 0) || !(o.final_temperature >= 0))
         throw InvalidInput("tps_rpm: temperatures must be 0 (automatic) or more");
     if (!(o.bending_weight > 0) || !(o.affine_weight >= 0))
-        throw InvalidInput("tps_rpm: bending_weight must be above 0 and affine_weight 0 or more");
+        throw InvalidInput("tps_rpm: bending_weight must be above 0 and affine_weight at least 0");
 }
 
 double largest_squared_distance(const Matrix& a, const Matrix& b) {
@@ -55,21 +55,21 @@ double mean_squared_spacing(const Matrix& points) {
     return sum / static_cast<double>(points.rows());
 }
 
-// Both sets about the target's centre, in units of its root mean square radius.
+// Both sets about the target's center, in units of its root mean square radius.
 struct Normalization {
-    Eigen::RowVectorXd centre;
+    Eigen::RowVectorXd center;
     double unit = 1;
-    Normalization(const Matrix& source, const Matrix& target) : centre(target.colwise().mean()) {
-        const double squared = (target.rowwise() - centre).rowwise().squaredNorm().mean() +
+    Normalization(const Matrix& source, const Matrix& target) : center(target.colwise().mean()) {
+        const double squared = (target.rowwise() - center).rowwise().squaredNorm().mean() +
                                (source.rowwise() - source.colwise().mean()).rowwise().squaredNorm().mean();
         if (squared > 0) unit = std::sqrt(squared / 2);
     }
-    Matrix operator()(const Matrix& points) const { return (points.rowwise() - centre) / unit; }
+    Matrix operator()(const Matrix& points) const { return (points.rowwise() - center) / unit; }
 };
 
-// f(x) = centre + unit g((x - centre) / unit), written as a spline over the original controls.
+// f(x) = center + unit g((x - center) / unit), written as a spline over the original controls.
 ThinPlateSpline in_input_units(const Matrix& source, Matrix affine, Matrix weights, const Normalization& n) {
-    affine.row(0) = n.unit * affine.row(0) + n.centre - n.centre * affine.bottomRows(source.cols());
+    affine.row(0) = n.unit * affine.row(0) + n.center - n.center * affine.bottomRows(source.cols());
     if (source.cols() == 2) {
         // r^2 log r of scaled distances is (R^2 log R - R^2 log unit) / unit^2 of the original ones; the
         // second term sums to a constant, because the weights have no sum and no first moment.
@@ -82,7 +82,7 @@ ThinPlateSpline in_input_units(const Matrix& source, Matrix affine, Matrix weigh
 }  // namespace
 
 TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOptions& options) {
-    require_usable(source, target, options);
+    require_point_sets(source, target, options);
     const Normalization normalize(source, target);
     const Matrix x = normalize(source), y = normalize(target);
     const double squared_unit = normalize.unit * normalize.unit;
@@ -93,18 +93,18 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
     const double last =
         options.final_temperature > 0 ? options.final_temperature / squared_unit : 0.1 * spacing;
 
-    const SplineSystem system(x);
+    const align::SplineSystem system(x);
     // A start below the extent of the points must not make the far ones outliers, hence `farthest`.
-    Softassign assignment(y, x.rows(), {std::max(first, farthest), options.sinkhorn_iterations});
+    align::Softassign assignment(y, x.rows(), {std::max(first, farthest), options.sinkhorn_iterations});
     const auto n_points = static_cast<double>(x.rows());
     Matrix f = x;
-    SplineSystem::Fit fit = system.fit(x, 1, 0);
+    align::SplineSystem::Fit fit = system.fit(x, 1, 0);
     double temperature = first, moved = 0;
     int iterations = 0;
     bool hard = false;
     const double n_steps = std::max(1.0, std::log(last / first) / std::log(options.annealing_rate));
     for (double step = 0;; ++step) {
-        report(options.progress, std::min(1.0, step / n_steps));
+        report_progress(options.progress, std::min(1.0, step / n_steps));
         const double tolerated = options.tolerance * options.tolerance * temperature;
         for (int i = 0; i < options.iterations_per_temperature; ++i, ++iterations) {
             assignment.update(f, temperature);  // (3), (4), (5)
@@ -126,7 +126,7 @@ TpsRpmResult tps_rpm(const Matrix& source, const Matrix& target, const TpsRpmOpt
     }
     TpsRpmResult result{
         in_input_units(source, fit.affine, system.weights(fit), normalize), {}, assignment.matrix()};
-    result.transformed = (f * normalize.unit).rowwise() + normalize.centre;
+    result.transformed = (f * normalize.unit).rowwise() + normalize.center;
     result.final_temperature = temperature * squared_unit;
     result.iterations = iterations;
     result.converged = hard || std::sqrt(moved) <= 0.1 * std::sqrt(temperature);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// In front of a function whose loops gain from wider vectors: compiled for several instruction sets, the
+/// For functions whose loops gain from wider vectors: compiled for several instruction sets, the
 /// best chosen when the program starts. Without contraction (see cmake/Warnings.cmake) and with sums kept in
 /// a fixed number of lanes, every version computes the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \

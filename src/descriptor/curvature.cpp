@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/descriptor/curvature.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 namespace counterpart {
@@ -16,7 +16,7 @@ Vector mean_curvature(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian
 
 Eigen::MatrixXd diffuse(const Vector& function, const EigenBasis& basis, const std::vector<double>& times) {
     if (function.size() != basis.mass.size())
-        throw InvalidInput("diffuse: the function has another number of vertices");
+        throw InvalidInput("diffuse: the function and the basis have different numbers of vertices");
     const Vector coefficients = basis.eigenfunctions.transpose() * basis.mass.cwiseProduct(function);
     Eigen::MatrixXd filtered(basis.size(), static_cast<Eigen::Index>(times.size()));
     for (std::size_t i = 0; i < times.size(); ++i)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/descriptor/spectral_signatures.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 
 #include <algorithm>
 #include <cmath>

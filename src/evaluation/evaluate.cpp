@@ -5,7 +5,7 @@
 // in Y. Sahillioglu, Y. Yemez, "3D Correspondence by Breadth-First Search Frontiers", section 5.
 #include <counterpart/base/errors.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
-#include <counterpart/geodesic/base_vertex_distances.hpp>
+#include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
@@ -24,14 +24,14 @@ void require_fitting(const VertexMap& map, const GroundTruth& truth, const Trian
     require_valid(source);
     require_valid(target);
     require_valid(map, source.n_vertices(), target.n_vertices());
-    if (truth.pairs.empty()) throw InvalidInput("the truth names no pair of vertices: nothing can be scored");
+    if (truth.pairs.empty()) throw InvalidInput("the ground truth is empty: there is nothing to measure");
     for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
         const auto [s, t] = truth.pairs[k];
         if (s < 0 || s >= source.n_vertices() || t < 0 || t >= target.n_vertices()) {
-            throw InvalidInput(
-                fmt::format("pair {} of the truth names source vertex {} and target vertex {}, but they run "
-                            "to {} and {}: is it other meshes' truth, or counted from 1?",
-                            k, s, t, source.n_vertices() - 1, target.n_vertices() - 1));
+            throw InvalidInput(fmt::format(
+                "pair {} of the ground truth is source vertex {} and target vertex {}, but vertices run "
+                "to {} and {}: does it belong to other meshes, or count from 1?",
+                k, s, t, source.n_vertices() - 1, target.n_vertices() - 1));
         }
     }
 }
@@ -42,7 +42,7 @@ std::vector<double> thresholds_of(const EvaluationOptions& options) {
         for (int i = 0; i <= 100; ++i) thresholds.push_back(0.25 * i);
     for (std::size_t i = 0; i < thresholds.size(); ++i)
         if (!(thresholds[i] >= 0) || (i > 0 && !(thresholds[i] > thresholds[i - 1])))
-            throw InvalidInput("the error curve's thresholds must be 0 or more and increase");
+            throw InvalidInput("the error curve's thresholds must be at least 0 and increase");
     return thresholds;
 }
 
@@ -90,9 +90,9 @@ void summarize_errors(const std::vector<double>& distances, EvaluationReport& re
 
 CorrespondenceCost base_vertex_cost(const TriangleMesh& target, const DistanceGraph& graph,
                                     const Pairs& pairs, double area, const EvaluationOptions& options) {
-    const BaseVertexDistances distance(graph,
-                                       base_vertices(target, graph, {.count = options.n_base_vertices}),
-                                       {.n_threads = options.n_threads});
+    const SampledDistances distance(graph,
+                                    farthest_point_samples(target, graph, {.count = options.n_base_vertices}),
+                                    {.n_threads = options.n_threads});
     std::vector<double> distances;
     for (const auto& [a, b] : pairs) distances.push_back(distance(a, b));
     return cost_of(distances, area);
@@ -108,7 +108,7 @@ EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth
     report.thresholds = thresholds_of(options);
     report.target_area = surface_area(target);
     if (!(report.target_area > 0))
-        throw InvalidInput("the target's surface has no area: errors relative to it mean nothing");
+        throw InvalidInput("the target has no area, which errors are measured relative to");
 
     report.n_pairs = static_cast<Index>(truth.pairs.size());
     Pairs matched;  // (true, mapped)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/evaluation/ground_truth.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ GroundTruth truth_from_template(const VertexMap& source_from_template,
                                 const VertexMap& target_from_template) {
     if (source_from_template.source_size() != target_from_template.source_size()) {
         throw InvalidInput(fmt::format(
-            "the source's template has {} points and the target's {}: they do not belong together",
+            "the source names {} template points and the target {}: they do not belong to the same template",
             source_from_template.source_size(), target_from_template.source_size()));
     }
     GroundTruth truth;
@@ -29,7 +29,7 @@ GroundTruth truth_from_template(const VertexMap& source_from_template,
 
 GroundTruth sampled(const GroundTruth& truth, Index count) {
     if (count < 2)
-        throw InvalidInput(fmt::format("a sample of the truth needs at least 2 pairs, not {}", count));
+        throw InvalidInput(fmt::format("a sample of the ground truth needs at least 2 pairs, not {}", count));
     if (truth.pairs.size() <= static_cast<std::size_t>(count)) return truth;
     const double last = static_cast<double>(truth.pairs.size() - 1), step = last / (count - 1);
     GroundTruth sample;

@@ -15,7 +15,7 @@ MapQuality map_quality(const VertexMap& target_from_source, const TriangleMesh& 
     MapQuality quality;
     quality.n_matched = count_matched(target_from_source);
     std::vector<bool> is_image(static_cast<std::size_t>(target.n_vertices()), false);
-    for (const Index image : target_from_source.image)
+    for (const Index image : target_from_source.image())
         if (image != VertexMap::unmatched) is_image[static_cast<std::size_t>(image)] = true;
     quality.n_distinct = static_cast<Index>(std::count(is_image.begin(), is_image.end(), true));
     quality.coverage = static_cast<double>(quality.n_distinct) / target.n_vertices();

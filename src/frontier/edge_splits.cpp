@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include <counterpart/frontier/edge_splits.hpp>
+#include "frontier/edge_splits.hpp"
+
+#include "base/to_size.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,16 +11,15 @@
 #include <unordered_map>
 #include <utility>
 
-namespace counterpart {
+namespace counterpart::frontier {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 std::vector<Index> edges_per_gap(const Adjacency& adjacency, const Frontiers& frontiers) {
-    std::vector<Index> count(at(frontiers.count() - 1), 0);
+    std::vector<Index> count(to_size(frontiers.count() - 1), 0);
     for (Index k = 0; k + 1 < frontiers.count(); ++k)
         for (const Index v : frontiers[k])
-            for (const Index w : adjacency.neighbors(v)) count[at(k)] += frontiers.level[at(w)] > k ? 1 : 0;
+            for (const Index w : adjacency.neighbors(v))
+                count[to_size(k)] += frontiers.level[to_size(w)] > k ? 1 : 0;
     return count;
 }
 
@@ -61,14 +62,14 @@ class Cutter {
     }
 
   private:
-    Index level(Index v) const { return frontiers_.level[at(v)]; }
+    Index level(Index v) const { return frontiers_.level[to_size(v)]; }
 
     void cut(Index t) {
         for (int c = 0; c < 3; ++c) {
             const Index apex = mesh_.triangles(t, c), b = mesh_.triangles(t, (c + 1) % 3),
                         d = mesh_.triangles(t, (c + 2) % 3);
             const bool lone = level(apex) != level(b) && level(b) == level(d);
-            if (!lone || level(apex) < 0 || per_gap_[at(std::min(level(apex), level(b)))] == 0) continue;
+            if (!lone || level(apex) < 0 || per_gap_[to_size(std::min(level(apex), level(b)))] == 0) continue;
             cut_from(chain(apex, b), chain(apex, d));
             return;
         }
@@ -86,9 +87,9 @@ class Cutter {
 
     // from, the new vertices of the edge, to.
     std::vector<Index> chain(Index from, Index to) {
-        const bool outwards = level(from) < level(to);
-        const Index near = outwards ? from : to, far = outwards ? to : from;
-        const Index n_new = per_gap_[at(level(near))];
+        const bool outward = level(from) < level(to);
+        const Index near = outward ? from : to, far = outward ? to : from;
+        const Index n_new = per_gap_[to_size(level(near))];
         const auto key = (static_cast<std::uint64_t>(near) << 32) | static_cast<std::uint64_t>(far);
         const auto [entry, is_new] = first_new_.try_emplace(key, next_);
         for (Index i = 0; is_new && i < n_new; ++i, ++next_) {
@@ -98,7 +99,7 @@ class Cutter {
         std::vector<Index> result{near};
         for (Index i = 0; i < n_new; ++i) result.push_back(entry->second + i);
         result.push_back(far);
-        if (!outwards) std::reverse(result.begin(), result.end());
+        if (!outward) std::reverse(result.begin(), result.end());
         return result;
     }
 
@@ -123,4 +124,4 @@ EdgeSplits split_edges_for_depth(const TriangleMesh& mesh, const Frontiers& fron
     return splits;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontier

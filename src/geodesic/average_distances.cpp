@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "geodesic/average_distances.hpp"
+
 #include "geodesic/row_blocks.hpp"
 
-#include <counterpart/geodesic/average_distances.hpp>
-
-namespace counterpart {
+namespace counterpart::geodesic {
 
 Vector average_distances(const DistanceGraph& graph, std::span<const Index> bases,
                          const DistanceOptions& options) {
@@ -13,4 +13,4 @@ Vector average_distances(const DistanceGraph& graph, std::span<const Index> base
     return average.result();
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

@@ -8,8 +8,8 @@
 #include "numerics/convex_hull.hpp"
 #include "numerics/multidimensional_scaling.hpp"
 
-#include <counterpart/geodesic/base_vertices.hpp>
 #include <counterpart/geodesic/critical_points.hpp>
+#include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
@@ -18,8 +18,6 @@
 
 namespace counterpart {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Peak {
     Index vertex = 0;
@@ -46,7 +44,7 @@ class Flood {
 std::vector<Peak> peaks(const Adjacency& adjacency, const Vector& height) {
     std::vector<Index> order;
     for (Index v = 0; v < adjacency.n_vertices(); ++v)
-        if (height[v] < infinity) order.push_back(v);
+        if (height[v] < std::numeric_limits<double>::infinity()) order.push_back(v);
     const auto higher = [&](Index a, Index b) {
         return height[a] > height[b] || (height[a] == height[b] && a < b);
     };
@@ -105,9 +103,9 @@ std::vector<Peak> on_hull_of_embedding(const std::vector<Peak>& candidates, cons
         if (!candidates[static_cast<std::size_t>(i)].highest) continue;  // one per component
         std::vector<Eigen::Index> members;
         for (Eigen::Index j = 0; j < distances.cols(); ++j)
-            if (distances(i, j) < infinity) members.push_back(j);
-        const Points embedding = multidimensional_scaling(distances(members, members));
-        const std::vector<bool> on_hull = on_convex_hull(embedding, 0.02);
+            if (distances(i, j) < std::numeric_limits<double>::infinity()) members.push_back(j);
+        const Points embedding = numerics::multidimensional_scaling(distances(members, members));
+        const std::vector<bool> on_hull = numerics::on_convex_hull(embedding, 0.02);
         for (std::size_t m = 0; m < members.size(); ++m)
             if (members[m] < n_candidates) keep[static_cast<std::size_t>(members[m])] = on_hull[m];
         keep[static_cast<std::size_t>(i)] = true;
@@ -123,18 +121,18 @@ std::vector<Peak> on_hull_of_embedding(const std::vector<Peak>& candidates, cons
 CriticalPoints critical_points(const TriangleMesh& mesh, const DistanceGraph& graph,
                                const CriticalPointOptions& options) {
     if (options.n_bases < 4 || !(options.min_prominence >= 0))
-        throw InvalidInput(
-            fmt::format("critical points need at least 4 bases and a prominence of 0 or more, not {} and {}",
-                        options.n_bases, options.min_prominence));
-    const BaseVertices bases = base_vertices(mesh, graph, {.count = options.n_bases});
+        throw InvalidInput(fmt::format(
+            "critical points need at least 4 samples and a prominence of at least 0, not {} and {}",
+            options.n_bases, options.min_prominence));
+    const FarthestPointSamples bases = farthest_point_samples(mesh, graph, {.count = options.n_bases});
     const auto n_bases = static_cast<Eigen::Index>(bases.vertices.size());
-    RunningAverage average(graph.n_vertices());
+    geodesic::RunningAverage average(graph.n_vertices());
     Matrix among_bases(n_bases, n_bases);
-    for_each_row(graph, bases.vertices, {options.n_threads, options.progress},
-                 [&](Eigen::Index i, const auto& row) {
-                     average.add(row);
-                     among_bases.row(i) = row(bases.vertices);
-                 });
+    geodesic::for_each_row(graph, bases.vertices, {options.n_threads, options.progress},
+                           [&](Eigen::Index i, const auto& row) {
+                               average.add(row);
+                               among_bases.row(i) = row(bases.vertices);
+                           });
     CriticalPoints result;
     result.average_distance = average.result();
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -113,4 +113,4 @@ std::vector<Index> Dijkstra::visited() const {
     return vertices;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

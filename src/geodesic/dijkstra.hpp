@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 
-/// Shortest paths on one graph, reusable for many searches; one object per thread. A search costs what it
-/// visits, so that early-stopped ones are cheap.
+/// Shortest paths on one graph, reusable for many searches; one object per thread. Its cost is
+/// proportional to what it visits, so searches that stop early are cheap.
 ///
 /// The queue is a ring of buckets by distance. The vertices of a bucket are settled together: inside it, a
 /// vertex reached again over a shorter path is simply expanded again. What comes out is the least sum over
@@ -33,9 +33,9 @@ class Dijkstra {
     /// Adds a source to an unlimited search; visits only what is nearer to it than to the others.
     void add_source(Index source);
 
-    /// Infinite where the search did not get.
+    /// Infinite for vertices not reached.
     double distance(Index vertex) const { return distance_[rank_of(vertex)]; }
-    /// Vertices whose distance the last call of search or add_source set; a few may be named twice.
+    /// Vertices whose distance the last call of search or add_source set; a few may occur twice.
     std::vector<Index> visited() const;
 
   private:
@@ -67,4 +67,4 @@ class Dijkstra {
     std::size_t n_queued_ = 0;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

@@ -3,13 +3,14 @@
 //
 // M. Hilaga, Y. Shinagawa, T. Kohmura, T. L. Kunii, "Topology matching for fully automatic similarity
 // estimation of 3D shapes", SIGGRAPH 2001, section 4.1: short-cut edges.
-#include "geodesic/space_filling_order.hpp"
+#include "numerics/morton_order.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/geodesic/distance_graph.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Geometry>
@@ -23,41 +24,41 @@ void require_measurable(const TriangleMesh& mesh) {
     const double spread =
         (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
     if (spread > 1e150 || (spread > 0 && spread < 1e-150)) {
-        throw InvalidInput(fmt::format(
-            "distances cannot be measured on a mesh of extent {}: scale it to ordinary units first", spread));
+        throw InvalidInput(
+            fmt::format("distances cannot be measured on a mesh of extent {}: rescale it first", spread));
     }
 }
 
-// One side of an edge: the far end of the edge from its smaller rank, and the triangle's third vertex.
-struct Side {
+// A triangle at an edge that starts at its smaller rank: the far end of the edge, and the third vertex.
+struct EdgeSide {
     Index far = 0, apex = 0;
-    auto operator<=>(const Side&) const = default;
+    auto operator<=>(const EdgeSide&) const = default;
 };
 
 // The sides of all edges, by the smaller rank of the edge, then by the far end.
-struct Sides {
+struct EdgeSides {
     std::vector<Index> first;
-    std::vector<Side> sides;
+    std::vector<EdgeSide> sides;
 };
 
-Sides edge_sides(const TriangleMesh& mesh, const std::vector<Index>& rank) {
+EdgeSides edge_sides(const TriangleMesh& mesh, const std::vector<Index>& rank) {
     const auto rank_of = [&](Index t, int corner) {
         return rank[static_cast<std::size_t>(mesh.triangles(t, corner % 3))];
     };
-    Sides result{std::vector<Index>(rank.size() + 1, 0), {}};
+    EdgeSides result{std::vector<Index>(rank.size() + 1, 0), {}};
     const auto for_each_side = [&](const auto& use) {
         for (Index t = 0; t < mesh.n_triangles(); ++t) {
             for (int c = 0; c < 3; ++c) {
                 const Index a = rank_of(t, c), b = rank_of(t, c + 1);
-                if (a != b) use(std::min(a, b), Side{std::max(a, b), rank_of(t, c + 2)});
+                if (a != b) use(std::min(a, b), EdgeSide{std::max(a, b), rank_of(t, c + 2)});
             }
         }
     };
-    for_each_side([&](Index near, const Side&) { ++result.first[static_cast<std::size_t>(near) + 1]; });
+    for_each_side([&](Index near, const EdgeSide&) { ++result.first[static_cast<std::size_t>(near) + 1]; });
     for (std::size_t r = 0; r < rank.size(); ++r) result.first[r + 1] += result.first[r];
     result.sides.resize(static_cast<std::size_t>(result.first.back()));
     std::vector<Index> next(result.first.begin(), result.first.end() - 1);
-    for_each_side([&](Index near, const Side& side) {
+    for_each_side([&](Index near, const EdgeSide& side) {
         result.sides[static_cast<std::size_t>(next[static_cast<std::size_t>(near)]++)] = side;
     });
     for (std::size_t r = 0; r < rank.size(); ++r)
@@ -73,6 +74,7 @@ class Unfolding {
         if (length_ > 0) axis_ /= length_;
     }
     double length() const { return length_; }
+    double height(const Eigen::Vector3d& p) const { return place(p).second; }
 
     // Straight distance between apexes on both sides, if the line between them crosses the edge inside.
     std::optional<double> shortcut(const Eigen::Vector3d& c, const Eigen::Vector3d& d) const {
@@ -93,11 +95,35 @@ class Unfolding {
     double length_ = 0;
 };
 
+// Every two triangles at an edge are unfolded while they are few. At an edge of more than `most_in_pairs`,
+// which would take quadratically many links, only the pairs with one of `n_hubs` apexes are: those nearest to
+// the edge. Two others reach each other over a hub or over an end of the edge. Both are ways on the surface,
+// so that no distance gets shorter than it is; it gets longer by at most twice the way from where the
+// straight line crosses the edge to the hub or the end. Edges of meshes in use have two triangles, faulty
+// ones three or four, which leaves them all as they were; below 16, all pairs take no more links than 8 for
+// each triangle.
+constexpr std::size_t most_in_pairs = 16, n_hubs = 8;
+
+// Puts the hubs in front, each apex once, and returns how many they are: all if the edge is an ordinary one.
+template <class Position>
+std::size_t sort_hubs_first(std::vector<Index>& apexes, const Unfolding& unfolding,
+                            const Position& position) {
+    if (apexes.size() <= most_in_pairs) return apexes.size();
+    apexes.erase(std::unique(apexes.begin(), apexes.end()), apexes.end());  // they come sorted
+    if (apexes.size() <= most_in_pairs) return apexes.size();
+    std::vector<std::pair<double, Index>> by_height;
+    for (const Index apex : apexes) by_height.emplace_back(unfolding.height(position(apex)), apex);
+    std::nth_element(by_height.begin(), by_height.begin() + n_hubs, by_height.end());
+    std::sort(by_height.begin(), by_height.begin() + n_hubs);
+    for (std::size_t i = 0; i < apexes.size(); ++i) apexes[i] = by_height[i].second;
+    return n_hubs;
+}
+
 }  // namespace
 
 DistanceGraph::DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOptions& options) {
     require_measurable(mesh);
-    vertex_of_rank_ = space_filling_order(mesh.vertices);
+    vertex_of_rank_ = numerics::space_filling_order(mesh.vertices);
     rank_of_vertex_.resize(vertex_of_rank_.size());
     for (std::size_t r = 0; r < vertex_of_rank_.size(); ++r)
         rank_of_vertex_[static_cast<std::size_t>(vertex_of_rank_[r])] = static_cast<Index>(r);
@@ -105,24 +131,28 @@ DistanceGraph::DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOption
         return mesh.vertices.row(vertex_of_rank_[static_cast<std::size_t>(rank)]);
     };
 
-    const Sides sides = edge_sides(mesh, rank_of_vertex_);
+    const EdgeSides sides = edge_sides(mesh, rank_of_vertex_);
+    std::vector<Index> apexes;
     std::vector<UndirectedLink> links;
     links.reserve(sides.sides.size());  // on a closed mesh: half the sides are edges, each with one shortcut
     for (Index a = 0; a < mesh.n_vertices(); ++a) {
         const auto row_end = sides.sides.begin() + sides.first[static_cast<std::size_t>(a) + 1];
         for (auto edge = sides.sides.begin() + sides.first[static_cast<std::size_t>(a)]; edge != row_end;) {
             const auto edge_end =
-                std::find_if(edge, row_end, [&](const Side& s) { return s.far != edge->far; });
+                std::find_if(edge, row_end, [&](const EdgeSide& s) { return s.far != edge->far; });
             const Unfolding unfolding(position(a), position(edge->far));
             links.push_back({a, edge->far, unfolding.length()});
-            for (auto c = edge; options.shortcuts && c != edge_end; ++c) {
-                for (auto d = c + 1; d != edge_end; ++d) {
-                    if (c->apex == d->apex) continue;
-                    if (const auto length = unfolding.shortcut(position(c->apex), position(d->apex)))
-                        links.push_back({c->apex, d->apex, *length});
+            apexes.clear();
+            for (; edge != edge_end; ++edge) apexes.push_back(edge->apex);
+            if (!options.shortcuts) continue;
+            const std::size_t count = sort_hubs_first(apexes, unfolding, position);
+            for (std::size_t c = 0; c < count; ++c) {
+                for (std::size_t d = c + 1; d < apexes.size(); ++d) {
+                    if (apexes[c] == apexes[d]) continue;
+                    if (const auto length = unfolding.shortcut(position(apexes[c]), position(apexes[d])))
+                        links.push_back({apexes[c], apexes[d], *length});
                 }
             }
-            edge = edge_end;
         }
     }
     fill_rows(links);
@@ -130,6 +160,8 @@ DistanceGraph::DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOption
 }
 
 void DistanceGraph::fill_rows(const std::vector<UndirectedLink>& links) {
+    if (links.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 2)
+        throw InvalidInput("the mesh has too many edges for a distance graph: decimate it first");
     const std::size_t n = vertex_of_rank_.size();
     first_.assign(n + 1, 0);
     for (const UndirectedLink& link : links) {

@@ -18,14 +18,15 @@ template <class Body>
 void for_each_search(const DistanceGraph& graph, std::size_t count, const DistanceOptions& options,
                      const Body& body) {
     with_threads(options.n_threads, [&] {
-        tbb::enumerable_thread_specific<Dijkstra> searches([&] { return Dijkstra(graph); });
+        tbb::enumerable_thread_specific<geodesic::Dijkstra> searches(
+            [&] { return geodesic::Dijkstra(graph); });
         const std::size_t block = std::max<std::size_t>(count / 100, 16);
         for (std::size_t begin = 0; begin < count; begin += block) {
-            report(options.progress, static_cast<double>(begin) / static_cast<double>(count));
+            report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(count));
             parallel_for(std::min(block, count - begin), 1,
                          [&](std::size_t i) { body(searches.local(), begin + i); });
         }
-        report(options.progress, 1);
+        report_progress(options.progress, 1);
     });
 }
 
@@ -34,11 +35,11 @@ void for_each_search(const DistanceGraph& graph, std::size_t count, const Distan
 Vector distances_from(const DistanceGraph& graph, std::span<const Index> sources,
                       const SearchLimits& limits) {
     if (sources.empty()) throw InvalidInput("distances need at least one source vertex");
-    require_vertices(graph, sources, "source");
-    require_vertices(graph, limits.targets, "target");
+    geodesic::require_vertices(graph, sources, "source");
+    geodesic::require_vertices(graph, limits.targets, "target");
     if (!(limits.radius >= 0))
-        throw InvalidInput(fmt::format("the search radius must be 0 or more, not {}", limits.radius));
-    Dijkstra dijkstra(graph);
+        throw InvalidInput(fmt::format("the search radius must be at least 0, not {}", limits.radius));
+    geodesic::Dijkstra dijkstra(graph);
     dijkstra.search(sources, {limits.radius, limits.targets});
     Vector distance(graph.n_vertices());
     for (Index v = 0; v < graph.n_vertices(); ++v) distance[v] = dijkstra.distance(v);
@@ -51,9 +52,9 @@ Vector distances_from(const DistanceGraph& graph, Index source, const SearchLimi
 
 Matrix distance_rows(const DistanceGraph& graph, std::span<const Index> sources,
                      const DistanceOptions& options) {
-    require_vertices(graph, sources, "source");
+    geodesic::require_vertices(graph, sources, "source");
     Matrix rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
-    for_each_search(graph, sources.size(), options, [&](Dijkstra& dijkstra, std::size_t i) {
+    for_each_search(graph, sources.size(), options, [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
         dijkstra.search(sources.subspan(i, 1), {});
         for (Index v = 0; v < graph.n_vertices(); ++v)
             rows(static_cast<Eigen::Index>(i), v) = dijkstra.distance(v);
@@ -70,20 +71,21 @@ Vector pair_distances(const DistanceGraph& graph, std::span<const std::pair<Inde
     std::vector<std::size_t> first_of_group;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& [from, to] = pairs[order[i]];
-        require_vertices(graph, std::array{from, to}, "the end of a pair");
+        geodesic::require_vertices(graph, std::array{from, to}, "an end of a pair");
         if (i == 0 || from != pairs[order[i - 1]].first) first_of_group.push_back(i);
     }
     first_of_group.push_back(order.size());
 
     Vector result(static_cast<Eigen::Index>(pairs.size()));
-    for_each_search(graph, first_of_group.size() - 1, options, [&](Dijkstra& dijkstra, std::size_t group) {
-        std::vector<Index> targets;
-        for (std::size_t i = first_of_group[group]; i < first_of_group[group + 1]; ++i)
-            targets.push_back(pairs[order[i]].second);
-        dijkstra.search(std::array{pairs[order[first_of_group[group]]].first}, {.targets = targets});
-        for (std::size_t i = first_of_group[group]; i < first_of_group[group + 1]; ++i)
-            result[static_cast<Eigen::Index>(order[i])] = dijkstra.distance(pairs[order[i]].second);
-    });
+    for_each_search(
+        graph, first_of_group.size() - 1, options, [&](geodesic::Dijkstra& dijkstra, std::size_t group) {
+            std::vector<Index> targets;
+            for (std::size_t i = first_of_group[group]; i < first_of_group[group + 1]; ++i)
+                targets.push_back(pairs[order[i]].second);
+            dijkstra.search(std::array{pairs[order[first_of_group[group]]].first}, {.targets = targets});
+            for (std::size_t i = first_of_group[group]; i < first_of_group[group + 1]; ++i)
+                result[static_cast<Eigen::Index>(order[i])] = dijkstra.distance(pairs[order[i]].second);
+        });
     return result;
 }
 

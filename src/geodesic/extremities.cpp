@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "geodesic/extremities.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/geodesic/distances.hpp>
-#include <counterpart/geodesic/extremities.hpp>
 
 #include <algorithm>
 #include <numeric>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 
 std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& average_distance,
                                    const ExtremityOptions& options) {
     if (average_distance.size() != graph.n_vertices() || graph.n_vertices() == 0)
         throw InvalidInput("extremities: one average distance per vertex of the graph is needed");
-    if (!(options.least_average >= 1) || !(options.radius > 0) || options.at_most < 1)
+    if (!(options.min_average >= 1) || !(options.radius > 0) || options.max_count < 1)
         throw InvalidInput("extremities: an option is out of range");
     const Vector relative = average_distance / average_distance.minCoeff();
     std::vector<Index> order(static_cast<std::size_t>(relative.size()));
@@ -22,8 +23,8 @@ std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& ave
     std::vector<char> covered(order.size(), 0);
     std::vector<Extremity> found;
     for (const Index v : order) {
-        if (!(relative[v] >= options.least_average) ||
-            found.size() == static_cast<std::size_t>(options.at_most))
+        if (!(relative[v] >= options.min_average) ||
+            found.size() == static_cast<std::size_t>(options.max_count))
             break;
         if (covered[static_cast<std::size_t>(v)]) continue;
         const Vector distance = distances_from(graph, v, {.radius = options.radius});
@@ -38,4 +39,4 @@ std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& ave
     return found;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

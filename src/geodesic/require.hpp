@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 
-/// Throws InvalidInput naming the first that is not a vertex of the graph.
+/// Throws InvalidInput naming the first entry that is not a vertex of the graph.
 inline void require_vertices(const DistanceGraph& graph, std::span<const Index> vertices, const char* what) {
     for (const Index v : vertices) {
         if (v < 0 || v >= graph.n_vertices())
@@ -20,4 +20,4 @@ inline void require_vertices(const DistanceGraph& graph, std::span<const Index> 
     }
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

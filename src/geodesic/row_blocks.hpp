@@ -8,7 +8,7 @@
 #include <limits>
 #include <span>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 
 /// use(i, distances from sources[i]) for each source, in order and on the calling thread, while only a few
 /// rows are held at a time: sums over rows come out the same for any number of threads.
@@ -17,12 +17,12 @@ void for_each_row(const DistanceGraph& graph, std::span<const Index> sources, co
                   const Use& use) {
     constexpr std::size_t block = 32;
     for (std::size_t begin = 0; begin < sources.size(); begin += block) {
-        report(options.progress, static_cast<double>(begin) / static_cast<double>(sources.size()));
+        report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(sources.size()));
         const Matrix rows = distance_rows(
             graph, sources.subspan(begin, std::min(block, sources.size() - begin)), {options.n_threads, {}});
         for (Eigen::Index i = 0; i < rows.rows(); ++i) use(static_cast<Eigen::Index>(begin) + i, rows.row(i));
     }
-    report(options.progress, 1);
+    report_progress(options.progress, 1);
 }
 
 /// Mean over rows of distances, leaving out the infinite ones; infinite where all are.
@@ -44,4 +44,4 @@ class RunningAverage {
     Vector sum_, count_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: MIT
 #include "io/corner_rows.hpp"
 #include "io/formats.hpp"
-#include "io/whole_file.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/gltf.hpp>
 
 #include <fmt/format.h>
 
 namespace counterpart {
 
-AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file) {
+using namespace io;
+
+AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const ReadOptions& options) {
     if (is_gltf(file)) {
-        GltfFile gltf = read_gltf(file);
+        GltfFile gltf = read_gltf(file, options);
         return {std::move(gltf.content), std::move(gltf.notices)};
     }
     const std::string extension = lower_extension(file);

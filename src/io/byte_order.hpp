@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// The number stored at `bytes` in the given byte order.
 template <class Number>
@@ -27,4 +27,4 @@ void append_number(std::string& bytes, Number value) {
     bytes.append(raw.data(), raw.size());
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what) {
@@ -34,7 +34,7 @@ void require_consistent(const AttributedMesh& content) {
     require_corners(content.normals, n_triangles, "normals");
     for (const CornerAttribute& set : content.texture_coordinates)
         require_corners(set, n_triangles, "texture coordinates");
-    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colours");
+    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colors");
     if (content.skin.weights.cols() > 0) {
         require_rows(content.skin.weights.rows(), n, "the skin");
         require_rows(content.skin.joints.rows(), n, "the skin");
@@ -65,4 +65,4 @@ std::optional<Matrix> one_row_per_vertex(const CornerAttribute& attribute, const
     return rows;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// The attribute with one row for each vertex, 0 where no triangle uses the vertex; nothing if there is no
 /// attribute, a corner has none or corners at a vertex differ. O(V + F).
@@ -15,4 +15,4 @@ std::optional<Matrix> one_row_per_vertex(const CornerAttribute& attribute, const
 /// Throws InvalidInput unless corners, skin, morph targets and parts fit the mesh's triangles and vertices.
 void require_consistent(const AttributedMesh& content);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <string>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// Appends the shortest decimal that reads back to the same number.
 template <class Number>
@@ -16,4 +16,4 @@ void append_decimal(std::string& text, Number value) {
     text.append(digits.data(), end);
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

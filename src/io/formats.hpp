@@ -9,18 +9,13 @@
 // require_valid that need no line number to read_mesh.
 #pragma once
 
-#include <counterpart/io/attributed_mesh_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
 #include <string>
 #include <string_view>
 
-namespace counterpart {
-
-/// The extension in lower case.
-std::string lower_extension(const std::filesystem::path& file);
-/// Whether the name ends in .glb or .gltf.
-bool is_gltf(const std::filesystem::path& file);
+namespace counterpart::io {
 
 MeshFile read_off(std::string_view bytes, const std::string& name);
 MeshFile read_obj(std::string_view bytes, const std::string& name);
@@ -38,4 +33,4 @@ std::string obj_bytes(const TriangleMesh& mesh);
 std::string ply_bytes(const TriangleMesh& mesh);
 std::string stl_bytes(const TriangleMesh& mesh);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 
 namespace counterpart {
+
+using namespace io;
+
 namespace {
 
 // The bytes by which vertices of one mesh are told apart; -0 counts as 0.
@@ -92,6 +95,19 @@ std::vector<CornerAttribute> joined_sets(const std::vector<GltfPrimitive>& primi
     return joined;
 }
 
+// Joined, all primitives get as many joints, blend shapes and names as the richest has.
+void require_room(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives) {
+    GltfBudget budget(document);
+    Eigen::Index rows = 0, columns = 0;
+    for (const GltfPrimitive& primitive : primitives) {
+        rows += primitive.positions.rows();
+        columns = std::max(columns, primitive.skin.joints.cols() +
+                                        3 * static_cast<Eigen::Index>(primitive.displacements.size()));
+        budget.take(1, static_cast<std::int64_t>(material_name(document, primitive).size()));
+    }
+    budget.take(rows, columns);
+}
+
 void join_geometry(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives,
                    GltfFile& file) {
     std::unordered_map<std::string, Index> known;
@@ -147,8 +163,9 @@ void join_geometry(const GltfDocument& document, const std::vector<GltfPrimitive
 
 }  // namespace
 
-GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives) {
+GltfFile io::join_primitives(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives) {
     GltfFile file;
+    require_room(document, primitives);
     join_geometry(document, primitives, file);
     AttributedMesh& content = file.content;
     const Index n_triangles = content.mesh.n_triangles();
@@ -165,21 +182,25 @@ GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPri
     return file;
 }
 
-GltfFile read_gltf(const std::filesystem::path& path) {
-    auto document = std::make_shared<const GltfDocument>(load_gltf(path));
+GltfFile io::surface_of(std::shared_ptr<const GltfContent> document) {
+    const GltfDocument& gltf = document->gltf();
     try {
         std::vector<std::string> notices;
-        const std::vector<GltfPrimitive> primitives = read_primitives(*document, notices);
-        GltfFile file = join_primitives(*document, primitives);
+        const std::vector<GltfPrimitive> primitives = read_primitives(gltf, notices);
+        GltfFile file = join_primitives(gltf, primitives);
         file.notices.insert(file.notices.begin(), notices.begin(), notices.end());
         require_valid(file.content.mesh);
-        file.content.document = std::move(document);
+        file.content.document = document;
         return file;
     } catch (const GltfJson::exception& error) {
-        document->fail(fmt::format("the JSON is not glTF ({})", error.what()));
+        gltf.fail(fmt::format("the JSON is not glTF ({})", error.what()));
     } catch (const InvalidInput& error) {
-        document->fail(error.what());
+        gltf.fail(error.what());
     }
+}
+
+GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options) {
+    return surface_of(std::make_shared<const GltfContent>(load_gltf(file, options)));
 }
 
 }  // namespace counterpart

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, int>, 5> widths = {
@@ -114,7 +114,8 @@ void put_in_sparse(const GltfDocument& document, const GltfJson& sparse, std::in
 
 }  // namespace
 
-Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::string_view types) {
+Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::string_view types,
+                     GltfBudget& budget) {
     const GltfJson& accessor = document.element("accessors", index);
     const std::string what = fmt::format("accessor {}", index);
     const std::string type = accessor.value("type", "");
@@ -123,8 +124,7 @@ Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::stri
     if (width == widths.end() || types.find(type) == types.npos)
         document.fail(fmt::format("{} is of type '{}' where {} is needed", what, type, types));
     const std::int64_t count = number_at(document, accessor, "count", 0);
-    constexpr std::int64_t most = 200'000'000;  // far beyond any model, well below what memory would bear
-    if (count > most) document.fail(fmt::format("{} announces {} rows", what, count));
+    budget.take(count, width->second);
     const std::int64_t component = number_at(document, accessor, "componentType", 0);
     const bool normalized = accessor.value("normalized", false);
     Matrix values;
@@ -143,4 +143,4 @@ Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::stri
     return values;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -7,11 +7,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 void append_component(std::string& bytes, double value, GltfComponent component) {
@@ -103,7 +104,7 @@ void merge_buffers(GltfDocument& document) {
 }
 
 std::string glb_bytes(const GltfDocument& document) {
-    std::string text = document.json.dump(), binary;
+    std::string text = document.json.dump(-1, ' ', false, GltfJson::error_handler_t::replace), binary;
     if (!document.buffers.empty()) binary = document.buffers[0];
     pad(text, 4, ' ');
     pad(binary, 4, '\0');
@@ -163,14 +164,18 @@ std::int64_t append_accessor(GltfDocument& document, const Matrix& values, GltfC
 }
 
 void take_images_in(GltfDocument& document) {
+    std::map<std::filesystem::path, std::int64_t> views;
     for (std::size_t i = 0; i < document.count("images"); ++i) {
         GltfJson& image = document.json["images"][i];
         if (!image.is_object() || !image.contains("uri")) continue;
         const auto uri = image["uri"].get<std::string>();
-        if (uri.starts_with("data:") || uri.find("://") != uri.npos) continue;
-        const std::string bytes = load_uri(document, uri, fmt::format("the texture image {}", i));
+        const std::string what = fmt::format("the texture image {}", i);
+        const GltfUri parsed = parse_uri(document, uri, what);
+        if (parsed.kind != GltfUri::Kind::file) continue;
+        const auto [view, is_new] = views.try_emplace(parsed.file.lexically_normal(), 0);
+        if (is_new) view->second = append_view(document, load_uri(document, uri, what));
         if (!image.contains("mimeType")) image["mimeType"] = mime_type(uri);
-        image["bufferView"] = append_view(document, bytes);
+        image["bufferView"] = view->second;
         image.erase("uri");
     }
 }
@@ -183,7 +188,7 @@ std::string gltf_bytes(GltfDocument document, bool binary) {
         document.json["buffers"][0]["uri"] =
             "data:application/octet-stream;base64," + base64_encoded(document.buffers[0]);
     }
-    return document.json.dump(2) + "\n";
+    return document.json.dump(2, ' ', false, GltfJson::error_handler_t::replace) + "\n";
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

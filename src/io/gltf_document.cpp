@@ -3,59 +3,19 @@
 #include "io/gltf_document.hpp"
 
 #include "io/byte_order.hpp"
-#include "io/whole_file.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/io/file.hpp>
 
 #include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 constexpr std::string_view glb_magic = "glTF";
-
-int base64_value(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-std::string base64_decoded(const GltfDocument& document, std::string_view text) {
-    std::string bytes;
-    unsigned bits = 0;
-    int n_bits = 0;
-    for (const char c : text.substr(0, text.find('='))) {
-        const int value = base64_value(c);
-        if (value < 0) document.fail("a data URI is not valid base64");
-        bits = (bits << 6U) | static_cast<unsigned>(value);
-        n_bits += 6;
-        if (n_bits < 8) continue;
-        n_bits -= 8;
-        bytes += static_cast<char>((bits >> static_cast<unsigned>(n_bits)) & 0xffU);
-    }
-    return bytes;
-}
-
-std::string percent_decoded(std::string_view text) {
-    std::string result;
-    const auto digit = [](char c) {
-        const std::size_t value = std::string_view("0123456789abcdef").find(static_cast<char>(c | 0x20));
-        return value == std::string_view::npos ? -1 : static_cast<int>(value);
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 && digit(text[i + 2]) >= 0) {
-            result += static_cast<char>(16 * digit(text[i + 1]) + digit(text[i + 2]));
-            i += 2;
-        } else {
-            result += text[i];
-        }
-    }
-    return result;
-}
 
 struct Glb {
     std::string_view json, binary;
@@ -126,6 +86,50 @@ std::string load_buffer(const GltfDocument& document, std::size_t i, const Glb& 
     return bytes;
 }
 
+// One file cannot be asked for many times.
+void load_buffers(GltfDocument& document, const Glb& glb) {
+    std::set<std::filesystem::path> files;
+    for (std::size_t i = 0; i < document.count("buffers"); ++i) {
+        const GltfJson& json = document.element("buffers", static_cast<std::int64_t>(i));
+        const std::string what = fmt::format("buffer {}", i);
+        if (json.contains("uri")) {
+            const GltfUri uri = parse_uri(document, json["uri"].get<std::string>(), what);
+            std::error_code ignored;
+            if (uri.kind == GltfUri::Kind::file &&
+                !files.insert(std::filesystem::weakly_canonical(uri.file, ignored)).second)
+                document.fail(fmt::format("{} is the file of another buffer", what));
+        }
+        document.buffers.push_back(load_buffer(document, i, glb));
+    }
+}
+
+// Images are read when the document is written; whether they may be is said at once.
+void check_images(const GltfDocument& document) {
+    for (std::size_t i = 0; i < document.count("images"); ++i) {
+        const GltfJson& image = document.element("images", static_cast<std::int64_t>(i));
+        if (image.is_object() && image.contains("uri"))
+            parse_uri(document, image["uri"].get<std::string>(), fmt::format("the texture image {}", i));
+    }
+}
+
+// Copying and writing JSON recurse into it, and finding a key takes time in proportion to their number: both
+// are bounded here, far above what glTF needs.
+GltfJson parse_json(const GltfDocument& document, std::string_view text) {
+    constexpr std::size_t most_levels = 64, most_keys = 4096;
+    std::vector<std::size_t> n_keys(most_levels + 2, 0);  // of the object that is open at each level
+    const auto check = [&](int depth, GltfJson::parse_event_t event, const GltfJson&) {
+        const auto level = static_cast<std::size_t>(depth);
+        if (level > most_levels) document.fail(fmt::format("the JSON is nested deeper than {}", most_levels));
+        if (event == GltfJson::parse_event_t::object_start) n_keys[level + 1] = 0;
+        if (event == GltfJson::parse_event_t::key && ++n_keys[level] > most_keys)
+            document.fail(fmt::format("a JSON object has more than {} keys", most_keys));
+        return true;
+    };
+    GltfJson json = GltfJson::parse(text, check, false);
+    if (json.is_discarded() || !json.is_object()) document.fail("the JSON is damaged");
+    return json;
+}
+
 }  // namespace
 
 void GltfDocument::fail(const std::string& reason) const { throw IoError(name + ": " + reason); }
@@ -142,49 +146,58 @@ std::size_t GltfDocument::count(const char* list) const {
     return json[list].size();
 }
 
+std::int64_t whole_number(const GltfDocument& document, const GltfJson& json, std::string_view what) {
+    // Some exporters write 12.0 for 12.
+    const double value = json.is_number() ? json.get<double>() : -1;
+    if (!(value >= 0 && value <= 9e15 && value == static_cast<double>(static_cast<std::int64_t>(value))))
+        document.fail(fmt::format("{} must be a whole number of 0 or more", what));
+    return static_cast<std::int64_t>(value);
+}
+
 std::int64_t number_at(const GltfDocument& document, const GltfJson& object, const char* key,
                        std::int64_t otherwise) {
     if (!object.is_object()) document.fail(fmt::format("an object with '{}' was expected", key));
     const auto found = object.find(key);
     if (found == object.end()) return otherwise;
-    // Some exporters write 12.0 for 12.
-    const double value = found->is_number() ? found->get<double>() : -1;
-    if (!(value >= 0 && value <= 9e15 && value == static_cast<double>(static_cast<std::int64_t>(value))))
-        document.fail(fmt::format("'{}' must be a whole number of 0 or more", key));
-    return static_cast<std::int64_t>(value);
+    return whole_number(document, *found, fmt::format("'{}'", key));
 }
 
-std::string load_uri(const GltfDocument& document, const std::string& uri, const std::string& what) {
-    if (!uri.starts_with("data:")) {
-        const std::filesystem::path file = document.folder / percent_decoded(uri);
-        std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored))
-            document.fail(fmt::format("{} is missing: there is no file {}", what, file.string()));
-        return read_whole_file(file);
-    }
-    const std::size_t data = uri.find(";base64,");
-    if (data == uri.npos) document.fail(fmt::format("{}: the data URI is not base64", what));
-    return base64_decoded(document, std::string_view(uri).substr(data + 8));
+GltfBudget::GltfBudget(const GltfDocument& document) : name_(document.name) {
+    std::size_t bytes = document.file_size;
+    for (const std::string& buffer : document.buffers) bytes += buffer.size();
+    // A number takes a byte or more, and some files name one accessor in many primitives.
+    constexpr std::int64_t least = 1 << 22, numbers_per_byte = 64;
+    left_ = std::max(least, numbers_per_byte * static_cast<std::int64_t>(bytes));
 }
 
-GltfDocument load_gltf(const std::filesystem::path& file) {
-    GltfDocument document{file.string(), file.parent_path(), {}, {}};
-    const std::string bytes = read_whole_file(file);
+void GltfBudget::take(std::int64_t rows, std::int64_t columns) {
+    if (columns > 0 && rows > left_ / columns)
+        throw IoError(
+            fmt::format("{}: it asks for far more numbers than a file of its size can mean", name_));
+    left_ -= rows * columns;
+}
+
+GltfDocument parse_gltf(std::string_view bytes, const std::filesystem::path& file,
+                        const ReadOptions& options) {
+    GltfDocument document{file.string(), file.parent_path(), options, bytes.size(), {}, {}};
     Glb glb;
     if (bytes.starts_with(glb_magic))
         glb = split_glb(document, bytes);
     else
         glb.json = bytes;
-    document.json = GltfJson::parse(glb.json, nullptr, false);
-    if (document.json.is_discarded() || !document.json.is_object()) document.fail("the JSON is damaged");
+    document.json = parse_json(document, glb.json);
     try {
         require_supported(document);
-        for (std::size_t i = 0; i < document.count("buffers"); ++i)
-            document.buffers.push_back(load_buffer(document, i, glb));
+        load_buffers(document, glb);
+        check_images(document);
     } catch (const GltfJson::exception& error) {
         document.fail(fmt::format("the JSON is not glTF ({})", error.what()));
     }
     return document;
 }
 
-}  // namespace counterpart
+GltfDocument load_gltf(const std::filesystem::path& file, const ReadOptions& options) {
+    return parse_gltf(read_whole_file(file), file, options);
+}
+
+}  // namespace counterpart::io

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <counterpart/base/types.hpp>
+#include <counterpart/io/file.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
 
 #include <filesystem>
 #include <string>
@@ -16,13 +18,15 @@
 
 #include <nlohmann/json.hpp>
 
-namespace counterpart {
+namespace counterpart::io {
 
 using GltfJson = nlohmann::ordered_json;
 
 struct GltfDocument {
     std::string name;              ///< the file, for messages
     std::filesystem::path folder;  ///< that file names inside it count from
+    ReadOptions options;
+    std::size_t file_size = 0;  ///< in bytes
     GltfJson json;
     std::vector<std::string> buffers;
 
@@ -32,20 +36,64 @@ struct GltfDocument {
     std::size_t count(const char* list) const;
 };
 
-/// The bytes that a URI names: data in it, or a file in the document's folder. `what` is for messages. Throws
-/// IoError.
+/// What a mesh keeps of the glTF file that it is from.
+class GltfContent final : public Document {
+  public:
+    explicit GltfContent(GltfDocument gltf) : gltf_(std::move(gltf)) {}
+    const GltfDocument& gltf() const { return gltf_; }
+
+    bool has_materials() const override;
+    std::shared_ptr<const Document> without_materials() const override;
+    std::shared_ptr<const Document> without_skeleton() const override;
+    Assignment with_materials_of(const Document& source, const std::vector<Index>& parts,
+                                 const std::vector<Index>& source_parts) const override;
+
+  private:
+    GltfDocument gltf_;
+};
+
+/// The glTF document that the mesh is from, or null.
+const GltfDocument* gltf_of(const AttributedMesh& content);
+
+struct GltfUri {
+    enum class Kind { data, file, elsewhere } kind = Kind::data;
+    std::filesystem::path file;  ///< whether it is there or not
+};
+/// What a URI names. Throws IoError for a file that the document's options do not allow; `what` leads the
+/// message.
+GltfUri parse_uri(const GltfDocument& document, const std::string& uri, const std::string& what);
+/// The bytes that a URI names. Throws IoError.
 std::string load_uri(const GltfDocument& document, const std::string& uri, const std::string& what);
 
-/// Parses the file and loads its buffers. Throws IoError.
-GltfDocument load_gltf(const std::filesystem::path& file);
+/// Parses a file's bytes and loads its buffers; `file` tells the folder. Throws IoError.
+GltfDocument parse_gltf(std::string_view bytes, const std::filesystem::path& file,
+                        const ReadOptions& options = {});
+/// The same, of the file.
+GltfDocument load_gltf(const std::filesystem::path& file, const ReadOptions& options = {});
 
+/// Bounds how many numbers are made of a document by the bytes that it has: a short file can name one
+/// accessor thousands of times, or announce zeros that are stored nowhere.
+class GltfBudget {
+  public:
+    explicit GltfBudget(const GltfDocument& document);
+    /// Throws IoError if so many numbers are not left.
+    void take(std::int64_t rows, std::int64_t columns);
+
+  private:
+    std::string name_;
+    std::int64_t left_ = 0;
+};
+
+/// A non-negative whole number; fails by `what` it should be if it is none.
+std::int64_t whole_number(const GltfDocument& document, const GltfJson& json, std::string_view what);
 /// A non-negative whole number under `key`; `otherwise` if absent.
 std::int64_t number_at(const GltfDocument& document, const GltfJson& object, const char* key,
                        std::int64_t otherwise);
 
 /// The rows of an accessor as doubles; normalized integers become fractions, sparse entries are put in. Fails
-/// unless its type is one of `types` ("SCALAR VEC3 ...").
-Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::string_view types);
+/// unless its type is one of `types` ("SCALAR VEC3 ...") and its rows are within the budget.
+Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::string_view types,
+                     GltfBudget& budget);
 
 /// The component types that are written.
 enum class GltfComponent { u8 = 5121, u16 = 5123, u32 = 5125, f32 = 5126 };
@@ -67,4 +115,4 @@ void take_images_in(GltfDocument& document);
 /// document are taken in. Throws IoError, for an image that is missing too.
 std::string gltf_bytes(GltfDocument document, bool binary);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

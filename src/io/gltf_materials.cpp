@@ -3,15 +3,15 @@
 #include "io/gltf_primitives.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/gltf_materials.hpp>
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using Element = std::pair<std::string, std::int64_t>;  // a top-level list and a number in it
@@ -28,12 +28,13 @@ class Import {
     void extensions() {
         for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
             if (!from_.json.contains(list)) continue;
-            for (const GltfJson& name : from_.json[list]) {
-                GltfJson& known = to_.json[list];
-                if (name.get<std::string>().find("material") == std::string::npos &&
-                    name.get<std::string>().find("texture") == std::string::npos)
+            std::set<std::string> known;
+            for (const GltfJson& name : to_.json[list]) known.insert(name.get<std::string>());
+            for (const GltfJson& json : from_.json[list]) {
+                const auto name = json.get<std::string>();
+                if (name.find("material") == std::string::npos && name.find("texture") == std::string::npos)
                     continue;
-                if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+                if (known.insert(name).second) to_.json[list].push_back(name);
             }
             if (to_.json[list].is_null()) to_.json.erase(list);
         }
@@ -106,29 +107,46 @@ void set_material(GltfJson& primitive, std::int64_t material) {
     if (primitive["extensions"].empty()) primitive.erase("extensions");
 }
 
-std::shared_ptr<const GltfDocument> without_skeleton(const GltfDocument& document) {
-    auto result = std::make_shared<GltfDocument>(document);
-    for (const char* list : {"skins", "animations"}) result->json.erase(list);
-    for (std::size_t i = 0; i < result->count("nodes"); ++i) result->json["nodes"][i].erase("skin");
-    return result;
+}  // namespace
+
+const GltfDocument* gltf_of(const AttributedMesh& content) {
+    const auto* gltf = dynamic_cast<const GltfContent*>(content.document.get());
+    return gltf == nullptr ? nullptr : &gltf->gltf();
 }
 
-std::shared_ptr<const GltfDocument> without_materials(const GltfDocument& document) {
-    auto result = std::make_shared<GltfDocument>(document);
-    std::vector<std::string> ignored;
-    for (const GltfPrimitive& primitive : read_primitives(document, ignored))
-        set_material(json_of(*result, primitive), -1);
-    return result;
+bool GltfContent::has_materials() const {
+    if (!gltf_.json.contains("meshes")) return false;
+    for (const GltfJson& mesh : gltf_.json["meshes"])
+        for (const GltfJson& primitive : mesh.at("primitives"))
+            if (primitive.contains("material")) return true;
+    return false;
 }
 
-// The new materials in the document that is left, and for each triangle its new part.
-AttributedMesh in_own_document(const AttributedMesh& content, const GltfDocument& source,
-                               const std::vector<Index>& source_parts) {
-    auto document = std::make_shared<GltfDocument>(*content.document);
+std::shared_ptr<const Document> GltfContent::without_skeleton() const {
+    GltfDocument result = gltf_;
+    for (const char* list : {"skins", "animations"}) result.json.erase(list);
+    for (std::size_t i = 0; i < result.count("nodes"); ++i) result.json["nodes"][i].erase("skin");
+    return std::make_shared<const GltfContent>(std::move(result));
+}
+
+std::shared_ptr<const Document> GltfContent::without_materials() const {
+    GltfDocument result = gltf_;
     std::vector<std::string> ignored;
-    const std::vector<GltfPrimitive> own = read_primitives(*document, ignored);
+    for (const GltfPrimitive& primitive : read_primitives(gltf_, ignored))
+        set_material(json_of(result, primitive), -1);
+    return std::make_shared<const GltfContent>(std::move(result));
+}
+
+Document::Assignment GltfContent::with_materials_of(const Document& other, const std::vector<Index>& parts,
+                                                    const std::vector<Index>& source_parts) const {
+    const auto* content = dynamic_cast<const GltfContent*>(&other);
+    if (content == nullptr) throw InvalidInput("materials come from glTF files only");
+    const GltfDocument& source = content->gltf();
+    GltfDocument document = gltf_;
+    std::vector<std::string> ignored;
+    const std::vector<GltfPrimitive> own = read_primitives(document, ignored);
     const std::vector<GltfPrimitive> given = read_primitives(source, ignored);
-    Import import(source, *document);
+    Import import(source, document);
     import.extensions();
 
     using Place = std::pair<std::size_t, std::size_t>;  // mesh, primitive
@@ -136,7 +154,7 @@ AttributedMesh in_own_document(const AttributedMesh& content, const GltfDocument
     std::vector<char> taken(own.size(), 0);
     std::vector<Place> places;  // of the triangles
     for (std::size_t t = 0; t < source_parts.size(); ++t) {
-        const Index part = content.parts.empty() ? 0 : content.parts[t], from = source_parts[t];
+        const Index part = parts.empty() ? 0 : parts[t], from = source_parts[t];
         if (part < 0 || part >= static_cast<Index>(own.size()) || from < 0 ||
             from >= static_cast<Index>(given.size()))
             throw InvalidInput(fmt::format("triangle {} names a part that its document has not", t));
@@ -147,57 +165,25 @@ AttributedMesh in_own_document(const AttributedMesh& content, const GltfDocument
             const GltfPrimitive& wanted = given[static_cast<std::size_t>(from)];
             const std::int64_t number = number_at(
                 source, source.json["meshes"][wanted.mesh]["primitives"][wanted.number], "material", -1);
-            GltfJson json = json_of(*document, primitive);
+            GltfJson json = json_of(document, primitive);
             set_material(json, number < 0 ? -1 : import.material(number));
             if (std::exchange(taken[static_cast<std::size_t>(part)], char{1}) != 0) {
-                GltfJson& primitives = document->json["meshes"][primitive.mesh]["primitives"];
+                GltfJson& primitives = document.json["meshes"][primitive.mesh]["primitives"];
                 known->second.second = primitives.size();
                 primitives.push_back(std::move(json));
             } else {
-                json_of(*document, primitive) = std::move(json);
+                json_of(document, primitive) = std::move(json);
             }
         }
         places.push_back(known->second);
     }
     std::map<Place, Index> number;
-    for (const GltfPrimitive& primitive : read_primitives(*document, ignored))
+    for (const GltfPrimitive& primitive : read_primitives(document, ignored))
         number.emplace(Place{primitive.mesh, primitive.number}, static_cast<Index>(number.size()));
-    AttributedMesh result = content;
-    result.part_names.clear();
-    result.parts.clear();
+    Assignment result;
     for (const Place& place : places) result.parts.push_back(number.at(place));
-    result.document = std::move(document);
+    result.document = std::make_shared<const GltfContent>(std::move(document));
     return result;
 }
 
-}  // namespace
-
-bool has_materials(const AttributedMesh& content) {
-    if (content.document == nullptr || !content.document->json.contains("meshes")) return false;
-    for (const GltfJson& mesh : content.document->json["meshes"])
-        for (const GltfJson& primitive : mesh.at("primitives"))
-            if (primitive.contains("material")) return true;
-    return false;
-}
-
-AttributedMesh with_materials(const AttributedMesh& content, const AttributedMesh& source,
-                              const std::vector<Index>& source_parts) {
-    AttributedMesh result = content;
-    if (source.document == nullptr) {
-        if (content.document == nullptr) return result;
-        result.document = without_materials(*content.document);
-        result.part_names.clear();
-        return result;
-    }
-    if (static_cast<Index>(source_parts.size()) != content.mesh.n_triangles() ||
-        (!content.parts.empty() && content.parts.size() != source_parts.size()))
-        throw InvalidInput(fmt::format("there are {} parts of the source for {} triangles",
-                                       source_parts.size(), content.mesh.n_triangles()));
-    if (content.document != nullptr) return in_own_document(content, *source.document, source_parts);
-    result.document = without_skeleton(*source.document);
-    result.parts = source_parts;
-    result.part_names = source.part_names;
-    return result;
-}
-
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 struct Placement {
@@ -50,7 +50,7 @@ std::vector<Placement> place_meshes(const GltfDocument& document, std::vector<st
         const GltfJson& scene = document.element("scenes", number_at(document, document.json, "scene", 0));
         if (scene.contains("nodes")) {
             for (const GltfJson& root : scene["nodes"])
-                stack.push_back({root.get<std::int64_t>(), Eigen::Affine3d::Identity()});
+                stack.push_back({whole_number(document, root, "a node"), Eigen::Affine3d::Identity()});
         }
     }
     std::reverse(stack.begin(), stack.end());
@@ -70,18 +70,18 @@ std::vector<Placement> place_meshes(const GltfDocument& document, std::vector<st
         }
         if (!node.contains("children")) continue;
         for (auto child = node["children"].rbegin(); child != node["children"].rend(); ++child)
-            stack.push_back({child->get<std::int64_t>(), transform});
+            stack.push_back({whole_number(document, *child, "a node"), transform});
     }
     if (repeated > 0) notices.push_back(fmt::format("{} further instances of meshes left out", repeated));
     return placements;
 }
 
 Triangles triangles_of(const GltfDocument& document, const GltfJson& primitive, std::int64_t mode,
-                       Index n_vertices, const std::string& what) {
+                       Index n_vertices, const std::string& what, GltfBudget& budget) {
     std::vector<Index> list;
     if (primitive.contains("indices")) {
         const Matrix indices =
-            read_accessor(document, number_at(document, primitive, "indices", -1), "SCALAR");
+            read_accessor(document, number_at(document, primitive, "indices", -1), "SCALAR", budget);
         for (Eigen::Index i = 0; i < indices.rows(); ++i) {
             if (!(indices(i, 0) >= 0 && indices(i, 0) < n_vertices)) {
                 document.fail(fmt::format("{}: index {} is out of range; there are {} vertices", what,
@@ -109,6 +109,11 @@ Triangles triangles_of(const GltfDocument& document, const GltfJson& primitive, 
 SkinBinding skin_of(const GltfDocument& document, const std::vector<Matrix>& joints,
                     const std::vector<Matrix>& weights, const std::string& what) {
     SkinBinding skin;
+    for (const Matrix& set : joints) {
+        constexpr double most = 65535;  // as the format stores them
+        if (!((set.array() >= 0) && (set.array() <= most)).all())
+            document.fail(what + ": a joint is out of range");
+    }
     if (joints.size() != weights.size()) document.fail(what + ": every JOINTS needs its WEIGHTS");
     if (joints.empty()) return skin;
     const Eigen::Index n = joints[0].rows();
@@ -122,19 +127,19 @@ SkinBinding skin_of(const GltfDocument& document, const std::vector<Matrix>& joi
 }
 
 GltfPrimitive read_primitive(const GltfDocument& document, const GltfJson& json, std::int64_t mode,
-                             const std::string& what) {
+                             const std::string& what, GltfBudget& budget) {
     const GltfJson& attributes = json.at("attributes");
     const auto read = [&](const GltfJson& from, const std::string& key, const char* types) {
-        Matrix values = read_accessor(document, number_at(document, from, key.c_str(), -1), types);
-        return values;
+        return read_accessor(document, number_at(document, from, key.c_str(), -1), types, budget);
     };
     GltfPrimitive result;
     result.positions = read(attributes, "POSITION", "VEC3");
-    if (result.positions.rows() > 2147483647) document.fail(what + " has too many vertices");
     const auto n = static_cast<Index>(result.positions.rows());
     const auto sets = [&](const std::string& name, const char* types) {
         std::vector<Matrix> found;
+        constexpr int most_sets = 16;  // the format asks for two of texture coordinates, one of the others
         for (int i = 0; attributes.contains(fmt::format("{}_{}", name, i)); ++i) {
+            if (i == most_sets) document.fail(fmt::format("{} has more than {} {}s", what, most_sets, name));
             found.push_back(read(attributes, fmt::format("{}_{}", name, i), types));
             if (found.back().rows() != n)
                 document.fail(fmt::format("{}: {}_{} has {} rows for {} vertices", what, name, i,
@@ -142,7 +147,7 @@ GltfPrimitive read_primitive(const GltfDocument& document, const GltfJson& json,
         }
         return found;
     };
-    result.triangles = triangles_of(document, json, mode, n, what);
+    result.triangles = triangles_of(document, json, mode, n, what, budget);
     if (attributes.contains("NORMAL")) {
         result.normals = read(attributes, "NORMAL", "VEC3");
         if (result.normals.rows() != n)
@@ -154,8 +159,13 @@ GltfPrimitive read_primitive(const GltfDocument& document, const GltfJson& json,
     result.skin = skin_of(document, sets("JOINTS", "VEC4"), sets("WEIGHTS", "VEC4"), what);
     if (json.contains("targets")) {
         for (const GltfJson& target : json["targets"]) {
-            Points displacement = Points::Zero(n, 3);
-            if (target.contains("POSITION")) displacement = read(target, "POSITION", "VEC3");
+            Points displacement;
+            if (target.contains("POSITION")) {
+                displacement = read(target, "POSITION", "VEC3");
+            } else {
+                budget.take(n, 3);
+                displacement = Points::Zero(n, 3);
+            }
             if (displacement.rows() != n)
                 document.fail(fmt::format("{}: a morph target has {} rows for {} vertices", what,
                                           displacement.rows(), n));
@@ -184,6 +194,7 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
     const bool scene_places_some =
         std::any_of(placements.begin(), placements.end(), [](const Placement& p) { return p.used; });
     std::vector<GltfPrimitive> primitives;
+    GltfBudget budget(document);
     std::size_t other = 0;
     for (std::size_t m = 0; m < placements.size(); ++m) {
         if (scene_places_some && !placements[m].used) continue;
@@ -197,7 +208,7 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
                 ++other;
                 continue;
             }
-            GltfPrimitive primitive = read_primitive(document, json, mode, what);
+            GltfPrimitive primitive = read_primitive(document, json, mode, what, budget);
             primitive.mesh = m;
             primitive.number = number - 1;
             primitive.placement = placements[m].transform;
@@ -213,4 +224,4 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
     return primitives;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

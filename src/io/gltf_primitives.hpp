@@ -13,7 +13,7 @@
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// One primitive as stored, in the scene's space: its own vertices, before welding. Absent parts are empty.
 struct GltfPrimitive {
@@ -33,4 +33,7 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
 /// The primitives as one surface. `content.document` stays empty.
 GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives);
 
-}  // namespace counterpart
+/// What a document shows, with the document itself. Throws IoError.
+GltfFile surface_of(std::shared_ptr<const GltfContent> document);
+
+}  // namespace counterpart::io

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 // What the vertices of the content say, at the given ones.
@@ -74,7 +74,7 @@ std::vector<double> corner_key(const AttributedMesh& content, Index triangle, in
     return key;
 }
 
-// The values of an attribute at given corners (3 * triangle + corner); 1 where it has none, as colours take.
+// The values of an attribute at given corners (3 * triangle + corner); 1 where it has none, as colors take.
 Matrix at_corners(const CornerAttribute& attribute, const std::vector<std::int64_t>& corners) {
     if (attribute.values.rows() == 0) return {};
     Matrix values = Matrix::Ones(static_cast<Eigen::Index>(corners.size()), attribute.values.cols());
@@ -158,4 +158,4 @@ GltfPrimitive in_new_vertices(std::span<const Index> triangles, const Attributed
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

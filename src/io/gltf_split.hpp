@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// Where a primitive's vertices and triangles begin in the file's.
 struct GltfOffsets {
@@ -27,4 +27,4 @@ std::optional<GltfPrimitive> in_same_vertices(const GltfPrimitive& primitive, co
 /// corner, ordered by the content's vertices. O(n log n).
 GltfPrimitive in_new_vertices(std::span<const Index> triangles, const AttributedMesh& content);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

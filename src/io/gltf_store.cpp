@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 // Equal, not-a-number being itself, where columns that `stored` has not got hold `filler`.
@@ -199,4 +199,4 @@ void store_primitive(GltfDocument& document, const GltfPrimitive& stored, const 
     PrimitiveStore(document, stored, wanted, same_vertices).run();
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

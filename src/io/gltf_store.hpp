@@ -4,7 +4,7 @@
 
 #include "io/gltf_primitives.hpp"
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// Makes a primitive of the document hold `wanted` where `stored` is what it holds: what is equal keeps its
 /// accessors, the rest gets new ones, at the end. `same_vertices` tells whether the vertices of both are the
@@ -13,4 +13,7 @@ namespace counterpart {
 void store_primitive(GltfDocument& document, const GltfPrimitive& stored, const GltfPrimitive& wanted,
                      bool same_vertices);
 
-}  // namespace counterpart
+/// The bytes of the file that write_gltf writes. Throws InvalidInput, IoError and GltfJson::exception.
+std::string gltf_bytes(const AttributedMesh& content, bool binary);
+
+}  // namespace counterpart::io

@@ -6,7 +6,7 @@
 #include "io/gltf_store.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/gltf.hpp>
 
 #include <algorithm>
@@ -14,6 +14,9 @@
 #include <fmt/format.h>
 
 namespace counterpart {
+
+using namespace io;
+
 namespace {
 
 // What to write into, and what it holds already.
@@ -53,8 +56,9 @@ Stored new_document(const AttributedMesh& content) {
 }
 
 Stored stored_content(const AttributedMesh& content) {
-    if (content.document == nullptr) return new_document(content);
-    Stored stored{*content.document, {}, {}};
+    const GltfDocument* document = gltf_of(content);
+    if (document == nullptr) return new_document(content);
+    Stored stored{*document, {}, {}};
     std::vector<std::string> ignored;
     stored.primitives = read_primitives(stored.document, ignored);
     stored.file = join_primitives(stored.document, stored.primitives);
@@ -215,18 +219,21 @@ void store(Stored& stored, const AttributedMesh& content) {
 
 }  // namespace
 
+std::string io::gltf_bytes(const AttributedMesh& content, bool binary) {
+    require_consistent(content);
+    Stored stored = stored_content(content);
+    store(stored, content);
+    return gltf_bytes(std::move(stored.document), binary);
+}
+
 void write_gltf(const AttributedMesh& content, const std::filesystem::path& file) {
-    const bool binary = lower_extension(file) != ".gltf";
     try {
-        require_consistent(content);
-        Stored stored = stored_content(content);
-        store(stored, content);
-        write_file(gltf_bytes(std::move(stored.document), binary), file);
+        write_file(gltf_bytes(content, lower_extension(file) != ".gltf"), file);
     } catch (const InvalidInput& error) {
         throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
     } catch (const GltfJson::exception& error) {
         throw IoError(fmt::format("{}: not written: the JSON of {} is not glTF ({})", file.string(),
-                                  content.document ? content.document->name : "it", error.what()));
+                                  gltf_of(content) != nullptr ? gltf_of(content)->name : "it", error.what()));
     }
 }
 

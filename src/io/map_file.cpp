@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/decimal.hpp"
+#include "io/map_bytes.hpp"
+#include "io/npy_bytes.hpp"
 #include "io/text_cursor.hpp"
-#include "io/whole_file.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
 
@@ -16,9 +17,10 @@
 #include <fmt/format.h>
 
 namespace counterpart {
-namespace {
 
-bool is_npy(const std::filesystem::path& file) { return file.extension() == ".npy"; }
+using namespace io;
+
+namespace {
 
 // From the number in a file to the image; `refuse` is called with the reason if it is none.
 template <class Refuse>
@@ -33,31 +35,41 @@ Index image_of(std::int64_t number, IndexBase base, const Refuse& refuse) {
 
 }  // namespace
 
-VertexMap read_vertex_map(const std::filesystem::path& file, IndexBase base) {
-    VertexMap map;
+VertexMap io::parse_vertex_map(std::string_view bytes, const std::filesystem::path& file, IndexBase base,
+                               Index target_size) {
+    std::vector<Index> map;
     if (is_npy(file)) {
-        map.image = read_npy_indices(file);
-        for (std::size_t v = 0; v < map.image.size(); ++v) {
-            map.image[v] = image_of(map.image[v], base, [&](const std::string& reason) {
+        map = parse_npy_indices(bytes, file);
+        for (std::size_t v = 0; v < map.size(); ++v) {
+            map[v] = image_of(map[v], base, [&](const std::string& reason) {
                 throw IoError(fmt::format("{}: entry {}: {}", file.string(), v, reason));
             });
         }
     } else {
-        const std::string bytes = read_whole_file(file);
         TextCursor text(bytes, file.string());
         while (text.next_content()) {
             const std::int64_t number = text.integer("target vertex");
-            map.image.push_back(
-                image_of(number, base, [&](const std::string& reason) { text.fail(reason); }));
+            map.push_back(image_of(number, base, [&](const std::string& reason) { text.fail(reason); }));
             if (!text.at_line_end()) text.fail("expected one whole number, found more");
         }
     }
-    for (const Index image : map.image) map.target_size = std::max(map.target_size, image + 1);
-    return map;
+    if (target_size < 0) {
+        target_size = 0;
+        for (const Index image : map) target_size = std::max(target_size, image + 1);
+    }
+    try {
+        return {std::move(map), target_size};
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+VertexMap read_vertex_map(const std::filesystem::path& file, IndexBase base, Index target_size) {
+    return parse_vertex_map(read_whole_file(file), file, base, target_size);
 }
 
 void write_vertex_map(const VertexMap& map, const std::filesystem::path& file, IndexBase base) {
-    std::vector<Index> numbers = map.image;
+    std::vector<Index> numbers = map.image();
     for (Index& number : numbers)
         if (number != VertexMap::unmatched) number += static_cast<Index>(base);
     if (is_npy(file)) return write_npy(numbers, file);

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 
 MeshFile MeshCollector::finish() {
     const auto n_triangles = static_cast<std::int64_t>(corners_.size() / 3);
@@ -25,4 +25,4 @@ MeshFile MeshCollector::finish() {
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

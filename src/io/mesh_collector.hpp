@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// The largest number of vertices or triangles that Index can count.
 constexpr std::int64_t max_count = 2'147'483'647;
@@ -40,4 +40,4 @@ class MeshCollector {
     std::int64_t n_polygons_ = 0;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::io

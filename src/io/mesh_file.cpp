@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/formats.hpp"
-#include "io/whole_file.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
@@ -15,6 +14,9 @@
 #include <fmt/format.h>
 
 namespace counterpart {
+
+using namespace io;
+
 namespace {
 
 struct Format {
@@ -42,21 +44,9 @@ const Format& format_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string lower_extension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return extension;
-}
-
-bool is_gltf(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension == ".glb" || extension == ".gltf";
-}
-
-MeshFile read_mesh(const std::filesystem::path& file) {
+MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
     if (is_gltf(file)) {
-        GltfFile gltf = read_gltf(file);
+        GltfFile gltf = read_gltf(file, options);
         return {std::move(gltf.content.mesh), std::move(gltf.notices)};
     }
     const Format& format = format_of(file);

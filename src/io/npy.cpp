@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/byte_order.hpp"
-#include "io/whole_file.hpp"
+#include "io/npy_bytes.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/npy.hpp>
 
 #include <charconv>
@@ -14,6 +14,9 @@
 #include <fmt/format.h>
 
 namespace counterpart {
+
+using namespace io;
+
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
@@ -68,6 +71,9 @@ void parse_shape(std::string_view text, Array& array, const std::filesystem::pat
         if (error != std::errc()) refuse(file, "the .npy header has no shape");
         at = static_cast<std::size_t>(stop - text.data());
         array.shape.push_back(extent);
+        // An extent of zero may come with any other, within what a matrix can count.
+        if (extent > static_cast<std::size_t>(std::numeric_limits<Eigen::Index>::max()))
+            refuse(file, "the array's shape is out of range");
         if (extent > 0 && count > std::numeric_limits<std::size_t>::max() / extent / array.width)
             refuse(file, "the array's shape is out of range");
         count *= extent;
@@ -127,8 +133,7 @@ void write_npy(const Matrix& matrix, const std::filesystem::path& file) {
     write_file(bytes, file);
 }
 
-Matrix read_npy(const std::filesystem::path& file) {
-    const std::string bytes = read_whole_file(file);
+Matrix io::parse_npy(std::string_view bytes, const std::filesystem::path& file) {
     const Array array = parse(bytes, file);
     Matrix matrix(static_cast<Eigen::Index>(array.rows()), static_cast<Eigen::Index>(array.columns()));
     if (matrix.size() == 0) return matrix;  // an extent of zero may come with any other
@@ -152,8 +157,9 @@ void write_npy(std::span<const Index> numbers, const std::filesystem::path& file
     write_file(bytes, file);
 }
 
-std::vector<Index> read_npy_indices(const std::filesystem::path& file) {
-    const std::string bytes = read_whole_file(file);
+Matrix read_npy(const std::filesystem::path& file) { return parse_npy(read_whole_file(file), file); }
+
+std::vector<Index> io::parse_npy_indices(std::string_view bytes, const std::filesystem::path& file) {
     const Array array = parse(bytes, file);
     if (array.kind != 'i' || array.shape.size() != 1)
         refuse(file, "the array must be one-dimensional, of type int32 or int64");
@@ -167,6 +173,10 @@ std::vector<Index> read_npy_indices(const std::filesystem::path& file) {
         numbers[i] = static_cast<Index>(number);
     }
     return numbers;
+}
+
+std::vector<Index> read_npy_indices(const std::filesystem::path& file) {
+    return parse_npy_indices(read_whole_file(file), file);
 }
 
 }  // namespace counterpart

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 // Positive numbers count from 1 and may name vertices that follow later; negative ones count back from the
@@ -45,7 +45,7 @@ MeshFile read_obj(std::string_view bytes, const std::string& name) {
         const std::string_view key_word = text.word();
         if (key_word == "v") {
             const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
-            mesh.add_vertex(x, y, z);  // a weight or a colour may follow
+            mesh.add_vertex(x, y, z);  // a weight or a color may follow
         } else if (key_word == "f") {
             corners.clear();
             while (!text.at_line_end()) corners.push_back(read_corner(text, mesh.n_vertices(), largest));
@@ -82,4 +82,4 @@ std::string obj_bytes(const TriangleMesh& mesh) {
     return text;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

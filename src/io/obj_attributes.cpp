@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What Wavefront OBJ holds beside the triangles: `vt`, `vn`, colours behind the coordinates of `v`, the
+// What Wavefront OBJ holds beside the triangles: `vt`, `vn`, colors behind the coordinates of `v`, the
 // names of `usemtl`. It counts the second texture coordinate from the image's lower edge.
 #include "io/corner_rows.hpp"
 #include "io/decimal.hpp"
@@ -14,10 +14,11 @@
 #include <array>
 #include <charconv>
 #include <initializer_list>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using Corner = std::array<std::int64_t, 3>;  // rows from 0 of v, vt, vn; -1: none
@@ -68,11 +69,11 @@ void read_face(TextCursor& text, Index part, ObjAttributes& found) {
 ObjAttributes scan(std::string_view bytes, const std::string& name) {
     ObjAttributes found;
     Index part = -1;
+    std::unordered_map<std::string, Index> parts;
     const auto part_of = [&](const std::string& material) {
-        const auto place = std::find(found.part_names.begin(), found.part_names.end(), material);
-        if (place != found.part_names.end()) return static_cast<Index>(place - found.part_names.begin());
-        found.part_names.push_back(material);
-        return static_cast<Index>(found.part_names.size()) - 1;
+        const auto [known, is_new] = parts.emplace(material, static_cast<Index>(parts.size()));
+        if (is_new) found.part_names.push_back(material);
+        return known->second;
     };
     for (TextCursor text(bytes, name); text.next_content(); text.next_line()) {
         const std::string_view key_word = text.word();
@@ -191,4 +192,4 @@ std::string obj_bytes(const AttributedMesh& content) {
     return text;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

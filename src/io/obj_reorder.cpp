@@ -162,7 +162,7 @@ std::string reorder_obj(std::string_view source_text, std::string_view target_te
     const ObjText source = parse(source_text), target = parse(target_text);
     require_valid(target_from_source, static_cast<Index>(source.positions.size()),
                   static_cast<Index>(target.positions.size()));
-    for (const Index image : target_from_source.image)
+    for (const Index image : target_from_source.image())
         if (image < 0) throw InvalidInput("reorder_obj: the map leaves source vertices unmatched");
     if (source_triangles.rows() != target_corner_from_source.rows() ||
         source.corners.size() != static_cast<std::size_t>(source_triangles.size()))

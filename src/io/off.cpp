@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 bool starts_number(char c) { return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.'; }
@@ -39,12 +39,14 @@ void read_key_word(TextCursor& text) {
     }
 }
 
-std::int64_t read_count(TextCursor& text, const char* what) {
+// `least_size`: how many characters each of what is counted takes at the least, the last without a line's
+// end.
+std::int64_t read_count(TextCursor& text, const char* what, std::size_t least_size) {
     text.next_content();
     const std::int64_t count = text.integer(what);
     if (count < 0 || count > max_count) text.fail(fmt::format("the {} is out of range: {}", what, count));
-    // Whatever is counted takes at least two characters: no memory is set aside for what cannot be there.
-    if (static_cast<std::size_t>(count) > text.remaining())
+    // No memory is set aside for what cannot be there.
+    if (static_cast<std::size_t>(count) > (text.remaining() + 1) / least_size)
         text.fail(fmt::format("the {} is {}, more than the file has room for", what, count));
     return count;
 }
@@ -69,8 +71,9 @@ void read_face(TextCursor& text, std::int64_t n_vertices, std::vector<Index>& co
 MeshFile read_off(std::string_view bytes, const std::string& name) {
     TextCursor text(bytes, name);
     read_key_word(text);
-    const std::int64_t n_vertices = read_count(text, "number of vertices");
-    const std::int64_t n_faces = read_count(text, "number of faces");
+    const std::int64_t n_vertices =
+        read_count(text, "number of vertices", std::string_view("0 0 0\n").size());
+    const std::int64_t n_faces = read_count(text, "number of faces", std::string_view("3 0 0 0\n").size());
     text.next_line();  // the number of edges, which nobody keeps
 
     MeshCollector mesh;
@@ -111,4 +114,4 @@ std::string off_bytes(const TriangleMesh& mesh) {
     return text;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

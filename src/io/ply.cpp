@@ -18,7 +18,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 // The values of a text body. Each element has a line of its own.
@@ -111,12 +111,18 @@ class BinaryValues {
     std::int64_t i_ = 0;
 };
 
+bool holds_corners(const PlyProperty& property) {
+    return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 // Refuses counts that the rest of the file cannot hold, before memory is set aside for them.
 template <class Values>
 void require_room(const Values& values, const PlyElement& element, const std::string& name) {
     std::size_t size = 0;
-    for (const PlyProperty& property : element.properties)
+    for (const PlyProperty& property : element.properties) {
         size += Values::least_size(property.is_list ? property.count_type : property.type);
+        if (element.name == "face" && holds_corners(property)) size += 3 * Values::least_size(property.type);
+    }
     if (size > 0 && static_cast<std::size_t>(element.count) > values.remaining() / size) {
         throw IoError(fmt::format("{}: the header says {} elements '{}', more than the file has room for",
                                   name, element.count, element.name));
@@ -160,10 +166,6 @@ std::vector<double> read_vertices(Values& values, const PlyElement& element, con
         mesh.add_vertex(point[0], point[1], point[2]);
     }
     return columns;
-}
-
-bool holds_corners(const PlyProperty& property) {
-    return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
 // Texture coordinates of the corners, as a fan; faces with another number of them have none.
@@ -267,6 +269,8 @@ std::int64_t check_elements(const PlyHeader& header, const std::string& name) {
         const auto corners = std::find_if(face->properties.begin(), face->properties.end(), holds_corners);
         if (corners == face->properties.end())
             throw IoError(fmt::format("{}: element 'face' has no list 'vertex_indices'", name));
+        if (std::count_if(face->properties.begin(), face->properties.end(), holds_corners) > 1)
+            throw IoError(fmt::format("{}: element 'face' has several lists of vertices", name));
         if (corners->type == PlyType::float32 || corners->type == PlyType::float64)
             throw IoError(fmt::format("{}: '{}' must be whole numbers", name, corners->name));
     }
@@ -312,4 +316,4 @@ std::string ply_bytes(const TriangleMesh& mesh) {
     return bytes;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What PLY files hold beside the triangles, by the names in use: normals nx ny nz; texture coordinates s t,
-// u v or texture_u texture_v at vertices, `texcoord` at corners of faces; colours red green blue [alpha].
+// u v or texture_u texture_v at vertices, `texcoord` at corners of faces; colors red green blue [alpha].
 // They count the second texture coordinate from the image's lower edge.
 #include "io/byte_order.hpp"
 #include "io/corner_rows.hpp"
@@ -10,11 +10,14 @@
 #include "io/ply_columns.hpp"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 // The columns of these names; no rows unless all are there.
@@ -39,7 +42,7 @@ Matrix columns_named(const PlyColumns& columns, std::initializer_list<const char
     return found;
 }
 
-CornerAttribute at_vertices(Matrix values, const Triangles& triangles) {
+CornerAttribute per_vertex(Matrix values, const Triangles& triangles) {
     if (values.rows() == 0) return {};
     return {std::move(values), triangles};
 }
@@ -53,10 +56,27 @@ Matrix texture_columns(const PlyColumns& columns) {
     return {};
 }
 
+struct CornerCoordinates {
+    Index vertex = 0;
+    double u = 0, v = 0;  // never -0
+    bool operator==(const CornerCoordinates&) const = default;
+};
+struct CornerHash {
+    std::size_t operator()(const CornerCoordinates& corner) const {
+        constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+        auto hash = static_cast<std::uint64_t>(corner.vertex);
+        for (const double number : {corner.u, corner.v}) {
+            hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * odd;
+            hash ^= hash >> 32U;
+        }
+        return hash;
+    }
+};
+
 // Corners that agree share a row, so that no seam is where there is none.
 CornerAttribute corner_coordinates(const PlyColumns& columns) {
     const Triangles& triangles = columns.file.mesh.triangles;
-    std::vector<std::vector<Index>> rows_at(static_cast<std::size_t>(columns.file.mesh.n_vertices()));
+    std::unordered_map<CornerCoordinates, Index, CornerHash> rows;
     std::vector<double> values;
     CornerAttribute attribute;
     attribute.corners = Triangles::Constant(triangles.rows(), 3, -1);
@@ -64,18 +84,10 @@ CornerAttribute corner_coordinates(const PlyColumns& columns) {
         const double u = columns.of_corners[static_cast<std::size_t>(2 * i)],
                      v = columns.of_corners[static_cast<std::size_t>(2 * i + 1)];
         if (std::isnan(u) || std::isnan(v)) continue;
-        std::vector<Index>& rows = rows_at[static_cast<std::size_t>(triangles(i / 3, i % 3))];
-        Index row = -1;
-        for (const Index known : rows)
-            if (values[2 * static_cast<std::size_t>(known)] == u &&
-                values[2 * static_cast<std::size_t>(known) + 1] == v)
-                row = known;
-        if (row < 0) {
-            row = static_cast<Index>(values.size() / 2);
-            rows.push_back(row);
-            values.insert(values.end(), {u, v});
-        }
-        attribute.corners(i / 3, i % 3) = row;
+        const auto [row, is_new] = rows.emplace(CornerCoordinates{triangles(i / 3, i % 3), u + 0.0, v + 0.0},
+                                                static_cast<Index>(values.size() / 2));
+        if (is_new) values.insert(values.end(), {u, v});
+        attribute.corners(i / 3, i % 3) = row->second;
     }
     if (values.empty()) return {};
     attribute.values = Eigen::Map<const Matrix>(values.data(), std::ssize(values) / 2, 2);
@@ -149,16 +161,16 @@ AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string
     PlyColumns columns = read_ply_columns(bytes, {}, name);
     const Triangles& triangles = columns.file.mesh.triangles;
     AttributedMeshFile result;
-    result.content.normals = at_vertices(columns_named(columns, {"nx", "ny", "nz"}), triangles);
+    result.content.normals = per_vertex(columns_named(columns, {"nx", "ny", "nz"}), triangles);
     CornerAttribute uv = corner_coordinates(columns);
-    if (uv.values.rows() == 0) uv = at_vertices(texture_columns(columns), triangles);
+    if (uv.values.rows() == 0) uv = per_vertex(texture_columns(columns), triangles);
     if (uv.values.rows() > 0) {
         uv.values.col(1) = 1 - uv.values.col(1).array();
         result.content.texture_coordinates.push_back(std::move(uv));
     }
     Matrix colors = columns_named(columns, {"red", "green", "blue", "alpha"});
     if (colors.rows() == 0) colors = columns_named(columns, {"red", "green", "blue"});
-    if (colors.rows() > 0) result.content.colors.push_back(at_vertices(std::move(colors), triangles));
+    if (colors.rows() > 0) result.content.colors.push_back(per_vertex(std::move(colors), triangles));
     result.notices = std::move(columns.file.notices);
     result.content.mesh = std::move(columns.file.mesh);
     return result;
@@ -187,4 +199,4 @@ std::string ply_bytes(const AttributedMesh& content) {
     return bytes;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// What to read beside the triangles.
 struct PlyWanted {
@@ -27,4 +27,4 @@ struct PlyColumns {
 /// Throws IoError.
 PlyColumns read_ply_columns(std::string_view bytes, const PlyWanted& wanted, const std::string& name);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

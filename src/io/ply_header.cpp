@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> type_names = {{{"char", PlyType::int8},
@@ -117,4 +117,4 @@ PlyHeader read_ply_header(TextCursor& text) {
     text.fail("the file ends within its header");
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

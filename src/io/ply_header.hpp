@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::io {
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 std::size_t size_of(PlyType type);
@@ -36,4 +36,4 @@ struct PlyHeader {
 /// line.
 PlyHeader read_ply_header(TextCursor& text);
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 constexpr std::size_t header_size = 80, prefix_size = 84, facet_size = 50;
@@ -119,4 +119,4 @@ std::string stl_bytes(const TriangleMesh& mesh) {
     return bytes;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

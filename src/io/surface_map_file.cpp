@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/decimal.hpp"
+#include "io/map_bytes.hpp"
+#include "io/npy_bytes.hpp"
 #include "io/text_cursor.hpp"
-#include "io/whole_file.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
-#include <counterpart/io/surface_map_file.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,10 @@
 #include <fmt/format.h>
 
 namespace counterpart {
-namespace {
 
-bool is_npy(const std::filesystem::path& file) { return file.extension() == ".npy"; }
+using namespace io;
+
+namespace {
 
 // `refuse` is called with the reason if the numbers are no surface point.
 template <class Refuse>
@@ -34,8 +35,8 @@ SurfacePoint point_of(double triangle, const Eigen::Vector3d& weights, const Ref
     return {static_cast<Index>(triangle), weights};
 }
 
-SurfaceMap from_npy(const std::filesystem::path& file) {
-    const Matrix rows = read_npy(file);
+SurfaceMap from_npy(std::string_view bytes, const std::filesystem::path& file) {
+    const Matrix rows = parse_npy(bytes, file);
     if (rows.cols() != 4)
         throw IoError(fmt::format("{}: a sub-vertex map has 4 columns (triangle, three weights), not {}",
                                   file.string(), rows.cols()));
@@ -49,8 +50,7 @@ SurfaceMap from_npy(const std::filesystem::path& file) {
     return map;
 }
 
-SurfaceMap from_text(const std::filesystem::path& file) {
-    const std::string bytes = read_whole_file(file);
+SurfaceMap from_text(std::string_view bytes, const std::filesystem::path& file) {
     TextCursor text(bytes, file.string());
     SurfaceMap map;
     while (text.next_content()) {
@@ -66,9 +66,8 @@ SurfaceMap from_text(const std::filesystem::path& file) {
 }
 
 // One number on the first line that holds anything, or one column.
-bool holds_vertex_map(const std::filesystem::path& file) {
-    if (is_npy(file)) return read_npy(file).cols() == 1;
-    const std::string bytes = read_whole_file(file);
+bool holds_vertex_map(std::string_view bytes, const std::filesystem::path& file) {
+    if (is_npy(file)) return parse_npy(bytes, file).cols() == 1;
     TextCursor text(bytes, file.string());
     if (!text.next_content()) return true;
     text.word();
@@ -77,11 +76,15 @@ bool holds_vertex_map(const std::filesystem::path& file) {
 
 }  // namespace
 
-SurfaceMap read_surface_map(const std::filesystem::path& file) {
-    SurfaceMap map = is_npy(file) ? from_npy(file) : from_text(file);
+SurfaceMap io::parse_surface_map(std::string_view bytes, const std::filesystem::path& file) {
+    SurfaceMap map = is_npy(file) ? from_npy(bytes, file) : from_text(bytes, file);
     for (const SurfacePoint& point : map.image)
         map.target_triangles = std::max(map.target_triangles, point.triangle + 1);
     return map;
+}
+
+SurfaceMap read_surface_map(const std::filesystem::path& file) {
+    return parse_surface_map(read_whole_file(file), file);
 }
 
 void write_surface_map(const SurfaceMap& map, const std::filesystem::path& file) {
@@ -107,11 +110,15 @@ void write_surface_map(const SurfaceMap& map, const std::filesystem::path& file)
     write_file(text, file);
 }
 
-std::variant<VertexMap, SurfaceMap> read_map(const std::filesystem::path& file) {
+std::variant<VertexMap, SurfaceMap> io::parse_map(std::string_view bytes, const std::filesystem::path& file) {
     // A file whose first line is "-1" alone may be of either kind; as a vertex map it means the same unless
     // four numbers follow on a later line, and then the vertex map's reader names that line.
-    if (holds_vertex_map(file)) return read_vertex_map(file);
-    return read_surface_map(file);
+    if (holds_vertex_map(bytes, file)) return parse_vertex_map(bytes, file);
+    return parse_surface_map(bytes, file);
+}
+
+std::variant<VertexMap, SurfaceMap> read_map(const std::filesystem::path& file) {
+    return parse_map(read_whole_file(file), file);
 }
 
 }  // namespace counterpart

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
@@ -121,4 +121,4 @@ void TextCursor::fail_at(int line, std::string_view reason) const {
     throw IoError(fmt::format("{}:{}: {}", name_, line, reason));
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace counterpart {
+namespace counterpart::io {
 
 /// Walks through a text file held in memory, line by line and word by word, and knows the line it is on.
 /// Lines end with LF, CR LF or CR; a backslash at a line's end continues the line; '#' starts a comment.
@@ -53,4 +53,4 @@ class TextCursor {
     int line_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -21,15 +21,14 @@ void require_valid(const SurfaceMap& map, Index source_size, Index target_triang
         if (!point.matched()) continue;
         if (point.triangle < 0 || point.triangle >= target_triangles) {
             throw InvalidInput(
-                fmt::format("the map sends source vertex {} to triangle {}, but the target has {} triangles",
+                fmt::format("the map takes source vertex {} to triangle {}, but the target has {} triangles",
                             v, point.triangle, target_triangles));
         }
         // Written so that NaN fails too.
         if (!(point.weights.minCoeff() >= -1e-9 && std::abs(point.weights.sum() - 1) <= 1e-6)) {
-            throw InvalidInput(
-                fmt::format("the weights of source vertex {} are ({}, {}, {}); they must not be negative and "
-                            "must sum to 1",
-                            v, point.weights[0], point.weights[1], point.weights[2]));
+            throw InvalidInput(fmt::format(
+                "the weights of source vertex {} are ({}, {}, {}); they must be at least 0 and sum to 1", v,
+                point.weights[0], point.weights[1], point.weights[2]));
         }
     }
 }
@@ -42,25 +41,26 @@ SurfaceMap surface_map_of(const VertexMap& target_from_source, const TriangleMes
             place[static_cast<std::size_t>(target.triangles(t, c))] = {t, Eigen::Vector3d::Unit(c)};
     }
     SurfaceMap map{{}, target.n_triangles()};
-    map.image.reserve(target_from_source.image.size());
-    for (const Index image : target_from_source.image)
+    map.image.reserve(static_cast<std::size_t>(target_from_source.source_size()));
+    for (const Index image : target_from_source.image())
         map.image.push_back(image < 0 ? SurfacePoint{} : place[static_cast<std::size_t>(image)]);
     return map;
 }
 
 VertexMap nearest_corners(const SurfaceMap& target_from_source, const TriangleMesh& target) {
-    VertexMap map{{}, target.n_vertices()};
-    map.image.reserve(target_from_source.image.size());
+    require_valid(target_from_source, target_from_source.source_size(), target.n_triangles());
+    std::vector<Index> image;
+    image.reserve(target_from_source.image.size());
     for (const SurfacePoint& point : target_from_source.image) {
         Eigen::Index corner = 0;
         point.weights.maxCoeff(&corner);
-        map.image.push_back(point.matched() ? target.triangles(point.triangle, corner)
-                                            : VertexMap::unmatched);
+        image.push_back(point.matched() ? target.triangles(point.triangle, corner) : VertexMap::unmatched);
     }
-    return map;
+    return {std::move(image), target.n_vertices()};
 }
 
-Matrix pull_back(const SurfaceMap& target_from_source, const TriangleMesh& target, const Matrix& values) {
+Matrix transfer_values(const SurfaceMap& target_from_source, const TriangleMesh& target,
+                       const Matrix& values) {
     require_valid(target_from_source, target_from_source.source_size(), target.n_triangles());
     if (values.rows() != target.n_vertices()) {
         throw InvalidInput(fmt::format("{} rows of values were given for {} target vertices", values.rows(),
@@ -74,7 +74,7 @@ Matrix pull_back(const SurfaceMap& target_from_source, const TriangleMesh& targe
             continue;
         }
         result.row(v).setZero();
-        // Corners of weight 0 are left out, so that a corner of weight 1 gives its value bit by bit.
+        // Corners of weight 0 are skipped, so that a corner of weight 1 gives its value bit for bit.
         for (int c = 0; c < 3; ++c) {
             if (point.weights[c] != 0)
                 result.row(v) += point.weights[c] * values.row(target.triangles(point.triangle, c));
@@ -84,7 +84,7 @@ Matrix pull_back(const SurfaceMap& target_from_source, const TriangleMesh& targe
 }
 
 Points image_positions(const SurfaceMap& target_from_source, const TriangleMesh& target) {
-    return pull_back(target_from_source, target, target.vertices);
+    return transfer_values(target_from_source, target, target.vertices);
 }
 
 Index count_matched(const SurfaceMap& map) {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/exact/alternatives.hpp"
-#include "match/exact/combinatorial_map.hpp"
-#include "match/exact/count.hpp"
-#include "match/exact/island_assignment.hpp"
-#include "match/exact/island_classes.hpp"
-#include "match/exact/island_pairing.hpp"
-#include "match/exact/linked_pairing.hpp"
+#include "base/parallel.hpp"
+#include "match/isomorphism/component_classes.hpp"
+#include "match/isomorphism/counting.hpp"
+#include "match/non_manifold/matching.hpp"
+#include "match/symmetry/choice.hpp"
+#include "match/symmetry/component_assignment.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
@@ -22,6 +21,53 @@
 namespace counterpart {
 namespace {
 
+using namespace isomorphism;
+using symmetry::Choice;
+using symmetry::ComponentPair;
+using symmetry::MatchedMaps;
+
+// What two maps with one connectivity have in common at a glance; empty if nothing differs.
+std::string first_difference(const DartMap& a, const DartMap& b) {
+    struct Property {
+        const char* name;
+        std::size_t in_source, in_target;
+    };
+    for (const Property& property :
+         {Property{"triangles", a.input_triangle.size(), b.input_triangle.size()},
+          Property{"vertices with triangles", a.input_vertex.size(), b.input_vertex.size()},
+          Property{"isolated vertices", a.isolated.size(), b.isolated.size()},
+          Property{"components", to_size(a.n_components()), to_size(b.n_components())},
+          Property{"boundary edges", to_size(a.boundary_edges), to_size(b.boundary_edges)},
+          Property{"non-manifold edges", to_size(a.non_manifold_edges), to_size(b.non_manifold_edges)},
+          Property{"vertices in which components touch", to_size(a.non_manifold_vertices),
+                   to_size(b.non_manifold_vertices)}})
+        if (property.in_source != property.in_target)
+            return fmt::format("the source has {} {}, the target {}", property.in_source, property.name,
+                               property.in_target);
+    return {};
+}
+
+std::string first_difference(const DartMap& a, const DartMap& b, const std::vector<ComponentClass>& classes) {
+    for (const ComponentClass& kind : classes) {
+        if (kind.source.size() == kind.target.size()) continue;
+        const bool more = kind.source.size() > kind.target.size();
+        const DartMap& map = more ? a : b;
+        const Index component = (more ? kind.source : kind.target).back().component;
+        const Index vertex =
+            map.input_vertex[to_size(map.corner[3 * to_size(map.component_begin[to_size(component)])])];
+        const char *here = more ? "source" : "target", *there = more ? "target" : "source";
+        if (kind.source.empty() || kind.target.empty())
+            return fmt::format(
+                "no {} component has the connectivity of the {} component with vertex {} ({} triangles)",
+                there, here, vertex, map.component_size(component));
+        return fmt::format(
+            "the {} has {} components with the connectivity of that with vertex {} ({} triangles), the {} {}",
+            here, (more ? kind.source : kind.target).size(), vertex, map.component_size(component), there,
+            (more ? kind.target : kind.source).size());
+    }
+    return {};
+}
+
 struct Parities {
     std::size_t even = 0, odd = 0;
 };
@@ -31,256 +77,235 @@ Parities count_parities(const std::vector<Member>& members) {
     return count;
 }
 
-// What two maps with one connectivity have in common at a glance; empty if nothing differs.
-std::string first_difference(const CombinatorialMap& a, const CombinatorialMap& b) {
-    const auto differ = [](const char* what, Index in_source, Index in_target) {
-        return fmt::format("the source has {} {}, the target {}", in_source, what, in_target);
-    };
-    if (a.n_triangles() != b.n_triangles()) return differ("triangles", a.n_triangles(), b.n_triangles());
-    if (a.n_vertices() != b.n_vertices())
-        return differ("vertices with triangles", a.n_vertices(), b.n_vertices());
-    if (a.isolated.size() != b.isolated.size())
-        return differ("isolated vertices", static_cast<Index>(a.isolated.size()),
-                      static_cast<Index>(b.isolated.size()));
-    if (a.n_islands() != b.n_islands()) return differ("islands", a.n_islands(), b.n_islands());
-    if (a.boundary_edges != b.boundary_edges)
-        return differ("boundary edges", a.boundary_edges, b.boundary_edges);
-    if (a.nonmanifold_edges != b.nonmanifold_edges)
-        return differ("non-manifold edges", a.nonmanifold_edges, b.nonmanifold_edges);
-    if (a.linked_vertices != b.linked_vertices)
-        return differ("vertices in which islands touch", a.linked_vertices, b.linked_vertices);
-    return {};
-}
-
-std::string first_difference(const CombinatorialMap& a, const CombinatorialMap& b,
-                             const std::vector<IslandClass>& classes) {
-    for (const IslandClass& kind : classes) {
-        if (kind.source.size() == kind.target.size()) continue;
-        const bool more = kind.source.size() > kind.target.size();
-        const CombinatorialMap& map = more ? a : b;
-        const Index island = (more ? kind.source : kind.target).back().island;
-        const auto corner = 3 * static_cast<std::size_t>(map.island_begin[static_cast<std::size_t>(island)]);
-        return fmt::format("{} island of {} triangles with vertex {} is connected as {} of the {} is",
-                           more ? "the source's" : "the target's", map.island_size(island),
-                           map.input_vertex[static_cast<std::size_t>(map.corner[corner])],
-                           kind.source.empty() || kind.target.empty() ? "none" : "too few",
-                           more ? "target" : "source");
-    }
-    return {};
-}
-
-// Whether every island can be matched with its orientation kept, or with every one turned over.
-bool is_feasible(const MatchedMaps& maps, bool turned) {
+// Whether every component can be matched with its orientation kept, or with every one reversed.
+bool is_feasible(const MatchedMaps& maps, bool reversed) {
     for (std::size_t k = 0; k < maps.classes.size(); ++k) {
-        const IslandClass& kind = maps.classes[k];
+        const ComponentClass& kind = maps.classes[k];
         const Parities source = count_parities(kind.source), target = count_parities(kind.target);
-        if (turned && maps.source.is_one_sided(kind.island)) continue;
-        const bool exchange = turned && maps.groups[k].mirror.empty();
+        if (reversed && maps.source.is_one_sided(kind.component)) continue;
+        const bool exchange = reversed && maps.groups[k].mirror.empty();
         if (source.even != (exchange ? target.odd : target.even)) return false;
     }
     return true;
 }
 
+// Equal components multiply: k! |Aut|^k for k of a class.
 void count_automorphisms(const MatchedMaps& maps, ExactResult& result) {
-    result.automorphisms = count_of(1);
+    double log10 = 0;
     bool has_mirror = false, all_mirror = true;
     for (std::size_t k = 0; k < maps.classes.size(); ++k) {
         const AutomorphismGroup& group = maps.groups[k];
         const Parities count = count_parities(maps.classes[k].source);
-        Count each = count_of(group.order());
-        each.is_lower_bound = !group.complete;
-        result.automorphisms = result.automorphisms * factorial(count.even) * factorial(count.odd);
-        for (std::size_t i = 0; i < count.even + count.odd; ++i)
-            result.automorphisms = result.automorphisms * each;
-        if (maps.source.is_one_sided(maps.classes[k].island)) continue;
+        log10 += log10_factorial(count.even) + log10_factorial(count.odd) +
+                 static_cast<double>(count.even + count.odd) * std::log10(static_cast<double>(group.order()));
+        if (maps.source.is_one_sided(maps.classes[k].component)) continue;
         has_mirror = true;
         all_mirror = all_mirror && (!group.mirror.empty() || count.even == count.odd);
     }
-    result.mirror_automorphisms = has_mirror && all_mirror ? result.automorphisms : count_of(0);
+    result.automorphisms = count_from_log10(log10);
+    result.mirror_automorphisms =
+        count_from_log10(has_mirror && all_mirror ? log10 : -std::numeric_limits<double>::infinity());
 }
-
-bool is_closed(const CombinatorialMap& map) { return map.boundary_edges == 0 && map.nonmanifold_edges == 0; }
 
 // Where both orientations fit, the one that keeps the outside outside: winding alone cannot tell a reversed
 // mesh from its mirror image.
 bool is_inside_out(const MatchedMaps& maps) {
-    return is_closed(maps.source) && is_closed(maps.target) && maps.source.flipped.empty() &&
-           maps.target.flipped.empty() &&
+    const auto is_closed = [](const DartMap& map) {
+        return map.boundary_edges == 0 && map.non_manifold_edges == 0 && map.flipped.empty();
+    };
+    return is_closed(maps.source) && is_closed(maps.target) &&
            signed_volume(maps.source_mesh) * signed_volume(maps.target_mesh) < 0;
 }
 
-void fill_maps(const MatchedMaps& maps, const Pairing& pairing, ExactResult& result) {
-    std::vector<Index> image(static_cast<std::size_t>(maps.source.n_vertices()), -1);
-    result.target_corner_from_source.resize(maps.source.n_triangles(), 3);
-    result.target_corner_from_source.setConstant(-1);
-    Index reversed_triangles = 0;
+void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, ExactResult& result) {
+    std::vector<Index> image(to_size(maps.source.n_vertices()), -1);
+    result.target_corner_from_source.setConstant(maps.source.n_triangles(), 3, -1);
     Index* const corners = result.target_corner_from_source.data();
-    for (const IslandPair& pair : pairing.pairs) {
-        const Index first = maps.source.island_begin[static_cast<std::size_t>(pair.kind->island)];
-        for (std::size_t k = 0; k < pair.source->from_representative.size(); ++k) {
-            Flag f = pair.on_source(k), g = pair.on_target(k, first);
-            reversed_triangles += static_cast<Index>(direction_of(f ^ g));
-            for (int c = 0; c < 3; ++c, f = next(f), g = next(g)) {
-                corners[maps.source.input_corner(f)] = maps.target.input_corner(g);
-                image[static_cast<std::size_t>(maps.source.origin(f))] = maps.target.origin(g);
+    Index reversed_triangles = 0;
+    for (const ComponentPair& pair : pairs) {
+        for (std::size_t k = 0; k < pair.size(); ++k) {
+            Dart d = pair.on_source(k), e = pair.on_target(k);
+            reversed_triangles += static_cast<Index>(direction_of(d ^ e));
+            for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) {
+                corners[maps.source.input_corner(d)] = maps.target.input_corner(e);
+                image[to_size(maps.source.origin(d))] = maps.target.origin(e);
             }
         }
     }
     result.reversed_triangles = reversed_triangles;
     result.winding_reversed = reversed_triangles == maps.source.n_triangles();
-    result.target_from_source.image.assign(static_cast<std::size_t>(maps.source_mesh.n_vertices()),
-                                           VertexMap::unmatched);
-    result.target_from_source.target_size = maps.target_mesh.n_vertices();
+    std::vector<Index> input_image(to_size(maps.source_mesh.n_vertices()), VertexMap::unmatched);
     for (std::size_t v = 0; v < image.size(); ++v)
-        result.target_from_source.image[static_cast<std::size_t>(maps.source.input_vertex[v])] =
-            maps.target.input_vertex[static_cast<std::size_t>(image[v])];
+        input_image[to_size(maps.source.input_vertex[v])] = maps.target.input_vertex[to_size(image[v])];
+    result.target_from_source = VertexMap(std::move(input_image), maps.target_mesh.n_vertices());
 }
 
-void pair_isolated(const MatchedMaps& maps, const Motion& similarity, VertexMap& map) {
-    const std::vector<Index>&a = maps.source.isolated, &b = maps.target.isolated;
-    if (a.empty() || b.empty()) return;
-    Points from(static_cast<Eigen::Index>(a.size()), 3), to(static_cast<Eigen::Index>(b.size()), 3);
-    for (std::size_t i = 0; i < a.size(); ++i)
-        from.row(static_cast<Eigen::Index>(i)) = similarity(maps.source_mesh.vertices.row(a[i]));
-    for (std::size_t j = 0; j < b.size(); ++j)
-        to.row(static_cast<Eigen::Index>(j)) = maps.target_mesh.vertices.row(b[j]);
-    const auto chosen =
-        assign_islands(from, to, [&](Index i, Index j) { return (from.row(i) - to.row(j)).squaredNorm(); });
-    for (std::size_t i = 0; i < a.size(); ++i)
+// The map with the isolated vertices paired too, by position.
+VertexMap with_isolated(const MatchedMaps& maps, const symmetry::Alignment& alignment, const VertexMap& map) {
+    std::vector<symmetry::Moments> from, to;
+    for (const Index v : maps.source.isolated)
+        from.push_back(
+            symmetry::moments_of(alignment(maps.source_mesh.vertices.row(v)), Eigen::Matrix3d::Zero()));
+    for (const Index w : maps.target.isolated)
+        to.push_back(symmetry::moments_of(maps.target_mesh.vertices.row(w), Eigen::Matrix3d::Zero()));
+    if (from.empty() || to.empty()) return map;
+    const std::vector<Index> chosen = symmetry::assign_components(from, to);
+    std::vector<Index> image = map.image();
+    for (std::size_t i = 0; i < from.size(); ++i)
         if (chosen[i] >= 0)
-            map.image[static_cast<std::size_t>(a[i])] = b[static_cast<std::size_t>(chosen[i])];
+            image[to_size(maps.source.isolated[i])] = maps.target.isolated[to_size(chosen[i])];
+    return {std::move(image), map.target_size()};
 }
 
-Index smallest_vertex(const CombinatorialMap& map, Index island) {
+Index smallest_vertex(const DartMap& map, Index component) {
     Index smallest = std::numeric_limits<Index>::max();
-    for (auto h = 3 * static_cast<std::size_t>(map.island_begin[static_cast<std::size_t>(island)]);
-         h < 3 * static_cast<std::size_t>(map.island_begin[static_cast<std::size_t>(island) + 1]); ++h)
-        smallest = std::min(smallest, map.input_vertex[static_cast<std::size_t>(map.corner[h])]);
+    for (auto h = 3 * to_size(map.component_begin[to_size(component)]);
+         h < 3 * to_size(map.component_begin[to_size(component) + 1]); ++h)
+        smallest = std::min(smallest, map.input_vertex[to_size(map.corner[h])]);
     return smallest;
 }
 
-void list_interchangeable(const MatchedMaps& maps, const Pairing& pairing, ExactResult& result) {
-    for (const IslandClass& kind : maps.classes) {
-        if (kind.source.size() < 2) continue;
-        EqualIslands equal;
-        for (const IslandPair& pair : pairing.pairs) {
-            if (pair.kind != &kind) continue;
-            equal.n_triangles = maps.source.island_size(pair.source->island);
-            equal.source.push_back(smallest_vertex(maps.source, pair.source->island));
-            equal.target.push_back(smallest_vertex(maps.target, pair.target->island));
+void list_interchangeable(const MatchedMaps& maps, const Choice& choice, ExactResult& result) {
+    std::vector<Index> place(maps.classes.size(), -1);
+    for (const ComponentPair& pair : choice.pairs) {
+        if (pair.kind->source.size() < 2) continue;
+        Index& at = place[to_size(pair.kind - maps.classes.data())];
+        if (at < 0) {
+            at = static_cast<Index>(result.interchangeable.size());
+            result.interchangeable.push_back({static_cast<Index>(pair.size()), {}, {}});
         }
-        result.interchangeable.push_back(std::move(equal));
+        EqualComponents& equal = result.interchangeable[to_size(at)];
+        equal.source.push_back(smallest_vertex(maps.source, pair.source->component));
+        equal.target.push_back(smallest_vertex(maps.target, pair.target->component));
     }
 }
 
-void add_alternatives(const MatchedMaps& maps, const Pairing& pairing, const std::vector<Pairing>& others,
-                      ExactResult& result) {
-    for (const Pairing& other : others) {
-        ExactResult alternative;
-        fill_maps(maps, other, alternative);
-        pair_isolated(maps, pairing.similarity, alternative.target_from_source);
-        result.alternatives.push_back(std::move(alternative.target_from_source));
-    }
+void describe_equal_components(const std::vector<EqualComponents>& classes,
+                               std::vector<std::string>& notices) {
+    if (classes.empty()) return;
+    std::size_t n_components = 0;
+    for (const EqualComponents& equal : classes) n_components += equal.source.size();
+    const EqualComponents& largest = *std::max_element(
+        classes.begin(), classes.end(),
+        [](const EqualComponents& a, const EqualComponents& b) { return a.source.size() < b.source.size(); });
+    notices.push_back(
+        classes.size() == 1
+            ? fmt::format("{} components of {} triangles are interchangeable; they were paired by position",
+                          n_components, largest.n_triangles)
+            : fmt::format("{} components are interchangeable within {} classes, the largest of {} components "
+                          "of {} triangles; they were paired by position",
+                          n_components, classes.size(), largest.source.size(), largest.n_triangles));
 }
 
 void describe(const MatchedMaps& maps, ExactResult& result) {
     auto& notices = result.notices;
-    if (result.path == ExactPath::patches) {
+    const auto is_many = [](const Count& count) { return !count.number || *count.number > 1; };
+    if (result.path == ExactPath::patches)
+        notices.push_back(fmt::format(
+            "non-manifold: {} edges with more than two triangles, {} vertices in several "
+            "patches; matched patch by patch ({} patches)",
+            maps.source.non_manifold_edges, maps.source.non_manifold_vertices, result.n_components));
+    if (result.mirrored)
+        notices.push_back(fmt::format("an orientation-reversing match was chosen"));
+    else if (result.winding_reversed)
         notices.push_back(
-            fmt::format("non-manifold: {} edges with more than two triangles, {} vertices in several "
-                        "patches; matched patch by patch ({} patches)",
-                        maps.source.nonmanifold_edges, maps.source.linked_vertices, result.n_islands));
-    }
-    if (result.winding_reversed && !result.mirrored) {
-        notices.push_back("the target's winding is reversed: every triangle is wound the other way round");
-    } else if (result.reversed_triangles > 0 && !result.mirrored) {
-        notices.push_back(fmt::format("{} of {} triangles are wound the other way round in the target",
+            fmt::format("the target's winding is reversed: every triangle has the opposite winding"));
+    else if (result.reversed_triangles > 0)
+        notices.push_back(fmt::format("{} of {} triangles have the opposite winding in the target",
                                       result.reversed_triangles, maps.source.n_triangles()));
-    }
-    if (result.mirrored) notices.push_back("a mirror match was chosen: it turns the surface over");
-    if (!result.automorphisms.number || *result.automorphisms.number > 1 ||
-        result.automorphisms.is_lower_bound) {
+    if (is_many(result.automorphisms))
         notices.push_back(
-            fmt::format("the connectivity is symmetric: {} orientation-preserving matches are possible, "
-                        "the choice was made by geometry",
+            fmt::format("the connectivity is symmetric: {} orientation-preserving matches are possible, the "
+                        "choice was made by geometry",
                         to_string(result.automorphisms)));
-    }
-    if (!result.mirror_automorphisms.number || *result.mirror_automorphisms.number > 0)
-        notices.push_back(
-            fmt::format("{} mirror matches are possible too", to_string(result.mirror_automorphisms)));
-    for (const EqualIslands& equal : result.interchangeable) {
-        notices.push_back(
-            fmt::format("{} islands of {} triangles are interchangeable; they were paired by position",
-                        equal.source.size(), equal.n_triangles));
-    }
+    if (is_many(result.mirror_automorphisms) || *result.mirror_automorphisms.number > 0)
+        notices.push_back(fmt::format("{} orientation-reversing matches are possible too",
+                                      to_string(result.mirror_automorphisms)));
+    describe_equal_components(result.interchangeable, notices);
     if (!maps.source.isolated.empty())
         notices.push_back(
             fmt::format("{} isolated vertices were paired by position", maps.source.isolated.size()));
 }
 
+// Chooses among the isomorphisms; the others asked for follow the best. None if nothing fits.
+std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options, ExactResult& result) {
+    const auto n_others = to_size(options.max_alternatives);
+    const auto progress = [&](double share) {
+        return !options.progress || options.progress(0.6 + 0.3 * share);
+    };
+    const bool preserves = is_feasible(maps, false), reverses = is_feasible(maps, true);
+    bool reversed = reverses && (!preserves || is_inside_out(maps));
+    if (maps.source.non_manifold_vertices > 0) {
+        result.path = ExactPath::patches;
+        std::vector<Choice> found = non_manifold::match_patches(maps, reversed, 1 + n_others, progress);
+        result.automorphisms = non_manifold::count_automorphisms(maps, false);
+        result.mirror_automorphisms =
+            reverses ? non_manifold::count_automorphisms(maps, true) : Count{-INFINITY, 0, false};
+        return found;
+    }
+    count_automorphisms(maps, result);
+    std::vector<Choice> found{choose_isomorphism(maps, reversed, progress)};
+    const bool compares = preserves && reverses && options.allow_mirror;
+    if (compares || !maps.source.isolated.empty()) {
+        const symmetry::PairGeometry geometry(maps);
+        measure(maps, geometry, reversed, found[0]);
+        if (compares) {
+            Choice other = choose_isomorphism(maps, !reversed);
+            measure(maps, geometry, !reversed, other);
+            other.fit.offset = found[0].fit.offset;  // where only that differs, the orientation is kept
+            result.mirrored = geometry.is_better(other.fit, found[0].fit);
+            if (result.mirrored) {
+                found[0] = std::move(other);
+                reversed = !reversed;
+            }
+        }
+    }
+    if (n_others == 0) return found;
+    for (Choice& other : other_choices(maps, found[0], reversed, n_others)) found.push_back(std::move(other));
+    if (preserves && reverses && found.size() <= n_others)
+        found.push_back(choose_isomorphism(maps, !reversed));
+    return found;
+}
+
 ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& target,
                            const ExactOptions& options) {
     ExactResult result;
-    const CombinatorialMap a = make_combinatorial_map(source), b = make_combinatorial_map(target);
-    result.n_islands = a.n_islands();
+    report_progress(options.progress, 0);
+    DartMap a, b;
+    parallel_invoke([&] { a = make_dart_map(source); }, [&] { b = make_dart_map(target); });
+    report_progress(options.progress, 0.3);
+    result.n_components = a.n_components();
     result.difference = first_difference(a, b);
     if (!result.difference.empty()) return result;
-    const Classification found = classify_islands(a, b);
+    const Classification found = classify_components(a, b);
+    report_progress(options.progress, 0.5);
     result.difference = first_difference(a, b, found.classes);
     if (!result.difference.empty()) return result;
 
     std::vector<AutomorphismGroup> groups;
-    for (const IslandClass& kind : found.classes)
-        groups.push_back(find_automorphisms(a, found.source_colors, kind.island, kind.root));
+    for (const ComponentClass& kind : found.classes)
+        groups.push_back(find_automorphisms(a, found.source_colors, kind.component, kind.root));
+    report_progress(options.progress, 0.6);
     const MatchedMaps maps{source, target, a, b, found.classes, groups};
-    const bool linked = a.linked_vertices > 0;
-    const bool straight = is_feasible(maps, false), turnable = is_feasible(maps, true);
-    bool turned = turnable && (!straight || is_inside_out(maps));
-
-    Pairing pairing;
-    std::vector<Pairing> others;
-    if (linked) {
-        result.path = ExactPath::patches;
-        others = pair_linked_islands(maps, turned, static_cast<std::size_t>(options.max_alternatives) + 1);
-        if (others.empty()) {
-            result.difference =
-                "the patches between non-manifold edges and vertices are alike, but meet otherwise";
-            return result;
-        }
-        pairing = std::move(others[0]);
-        others.erase(others.begin());
-        result.automorphisms = count_linked_automorphisms(maps, false);
-        result.mirror_automorphisms = turnable ? count_linked_automorphisms(maps, true) : count_of(0);
-    } else {
-        pairing = pair_islands(maps, turned);
-        count_automorphisms(maps, result);
-    }
-    const bool ambiguous = !is_determined(maps) || !a.isolated.empty() || (straight && turnable);
-    if (ambiguous) measure(maps, turned, pairing);
-    if (options.allow_mirror && straight && turnable && !linked) {
-        Pairing other = pair_islands(maps, !turned);
-        measure(maps, !turned, other);
-        const bool lengths_tie = std::abs(other.length_disagreement - pairing.length_disagreement) <=
-                                 0.01 * std::max(other.length_disagreement, pairing.length_disagreement);
-        if (lengths_tie ? other.residual < 0.99 * pairing.residual
-                        : other.length_disagreement < pairing.length_disagreement) {
-            pairing = std::move(other);
-            turned = !turned;
-            result.mirrored = true;
-        }
+    const std::vector<Choice> choices = choose(maps, options, result);
+    report_progress(options.progress, 0.9);
+    if (choices.empty()) {
+        result.difference =
+            "the patches between non-manifold edges and vertices are equal, but join differently";
+        return result;
     }
     result.identical = true;
-    fill_maps(maps, pairing, result);
-    pair_isolated(maps, pairing.similarity, result.target_from_source);
-    result.length_difference = std::sqrt(pairing.length_disagreement);
-    result.rigid_distance = std::sqrt(pairing.residual);
-    list_interchangeable(maps, pairing, result);
-    if (const auto most = static_cast<std::size_t>(options.max_alternatives); most > 0 && !linked) {
-        others = other_pairings(maps, pairing, turned, most);
-        if (straight && turnable && others.size() < most) others.push_back(pair_islands(maps, !turned));
+    fill_maps(maps, choices[0].pairs, result);
+    result.target_from_source = with_isolated(maps, choices[0].alignment, result.target_from_source);
+    for (std::size_t i = 1; i < choices.size(); ++i) {
+        ExactResult other;
+        fill_maps(maps, choices[i].pairs, other);
+        other.target_from_source = with_isolated(maps, choices[0].alignment, other.target_from_source);
+        result.alternatives.push_back(std::move(other.target_from_source));
     }
-    add_alternatives(maps, pairing, others, result);
+    list_interchangeable(maps, choices[0], result);
     describe(maps, result);
+    report_progress(options.progress, 1);
     return result;
 }
 
@@ -289,32 +314,26 @@ ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& targe
 VertexMap unwelded(const VertexMap& welded_map, const Triangles& corners, const TriangleMesh& source,
                    const TriangleMesh& target, const WeldResult& welded_source,
                    const WeldResult& welded_target) {
-    VertexMap map{std::vector<Index>(static_cast<std::size_t>(source.n_vertices()), VertexMap::unmatched),
-                  target.n_vertices()};
+    std::vector<Index> map(to_size(source.n_vertices()), VertexMap::unmatched);
     for (Index t = 0; t < source.n_triangles(); ++t) {
         for (int c = 0; c < 3; ++c) {
-            Index& image = map.image[static_cast<std::size_t>(source.triangles(t, c))];
+            Index& image = map[to_size(source.triangles(t, c))];
             if (image < 0) image = target.triangles(corners(t, c) / 3, corners(t, c) % 3);
         }
     }
-    std::vector<Index> any(static_cast<std::size_t>(welded_target.mesh.n_vertices()), VertexMap::unmatched);
+    std::vector<Index> any(to_size(welded_target.mesh.n_vertices()), VertexMap::unmatched);
     for (Index w = target.n_vertices(); w-- > 0;)
-        any[static_cast<std::size_t>(welded_target.welded_from_original[static_cast<std::size_t>(w)])] = w;
-    for (std::size_t v = 0; v < map.image.size(); ++v) {
-        if (map.image[v] >= 0) continue;
+        any[to_size(welded_target.welded_from_original[to_size(w)])] = w;
+    for (std::size_t v = 0; v < map.size(); ++v) {
+        if (map[v] >= 0) continue;
         const Index partner = welded_map[welded_source.welded_from_original[v]];
-        if (partner >= 0) map.image[v] = any[static_cast<std::size_t>(partner)];
+        if (partner >= 0) map[v] = any[to_size(partner)];
     }
-    return map;
+    return {std::move(map), target.n_vertices()};
 }
 
-}  // namespace
-
-ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target, const ExactOptions& options) {
-    require_valid(source);
-    require_valid(target);
-    if (options.max_alternatives < 0) throw InvalidInput("max_alternatives must be 0 or more");
-    if (options.weld_distance < 0) return match_unwelded(source, target, options);
+ExactResult match_welded(const TriangleMesh& source, const TriangleMesh& target,
+                         const ExactOptions& options) {
     const WeldResult welded_source = weld(source, {options.weld_distance}),
                      welded_target = weld(target, {options.weld_distance});
     ExactResult result = match_unwelded(welded_source.mesh, welded_target.mesh, options);
@@ -330,6 +349,18 @@ ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target, 
         alternative =
             unwelded(alternative, none, {source.vertices, none}, target, welded_source, welded_target);
     return result;
+}
+
+}  // namespace
+
+ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target, const ExactOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    if (options.max_alternatives < 0) throw InvalidInput("max_alternatives must be 0 or more");
+    return with_threads(options.n_threads, [&] {
+        return options.weld_distance < 0 ? match_unwelded(source, target, options)
+                                         : match_welded(source, target, options);
+    });
 }
 
 }  // namespace counterpart

@@ -6,7 +6,7 @@
 #include "match/frontiers/side.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/match/frontiers.hpp>
 
 #include <algorithm>
@@ -20,18 +20,18 @@ namespace {
 void require_usable(const TriangleMesh& source, const TriangleMesh& target, const FrontiersOptions& options) {
     require_valid(source);
     require_valid(target);
-    if ((options.source < 0) != (options.target_source < 0))
-        throw InvalidInput("give both source vertices or none: one of each mesh");
-    if (options.source >= source.n_vertices() || options.target_source >= target.n_vertices())
+    if ((options.source_seed < 0) != (options.target_seed < 0))
+        throw InvalidInput("give both seed vertices, one of each mesh, or none");
+    if (options.source_seed >= source.n_vertices() || options.target_seed >= target.n_vertices())
         throw InvalidInput(fmt::format(
-            "source vertex {} or target vertex {} does not exist: they run from 0 to "
+            "source seed {} or target seed {} does not exist: vertices run from 0 to "
             "{} and {}",
-            options.source, options.target_source, source.n_vertices() - 1, target.n_vertices() - 1));
+            options.source_seed, options.target_seed, source.n_vertices() - 1, target.n_vertices() - 1));
     if (!(options.deformation_threshold >= 0) || !(options.edge_penalty >= 0))
-        throw InvalidInput("deformation_threshold and edge_penalty must be 0 or more");
+        throw InvalidInput("deformation_threshold and edge_penalty must be at least 0");
 }
 
-Index place_of(const ComponentMesh& component, Index vertex) {
+Index local_index(const frontiers::ComponentMesh& component, Index vertex) {
     const auto it = std::lower_bound(component.vertices.begin(), component.vertices.end(), vertex);
     return it != component.vertices.end() && *it == vertex
                ? static_cast<Index>(it - component.vertices.begin())
@@ -41,7 +41,7 @@ Index place_of(const ComponentMesh& component, Index vertex) {
 // The share of each vertex's edges that its image keeps; isolated vertices have nothing to contradict them.
 Vector edge_confidence(const Adjacency& source, const Adjacency& target, const VertexMap& map) {
     Vector confidence(map.source_size());
-    parallel_for(map.image.size(), 512, [&](std::size_t i) {
+    parallel_for(map.image().size(), 512, [&](std::size_t i) {
         const auto v = static_cast<Index>(i);
         const auto neighbors = source.neighbors(v);
         const auto kept = std::count_if(neighbors.begin(), neighbors.end(), [&](Index w) {
@@ -62,20 +62,21 @@ class FrontiersMatch {
 
     FrontiersResult run() {
         const Adjacency source_adjacency(source_), target_adjacency(target_);
-        require_same_counts(source_, source_adjacency, target_, target_adjacency);
-        source_parts_ = split_components(source_, source_adjacency);
-        target_parts_ = split_components(target_, target_adjacency);
-        const std::vector<ComponentGroup> groups = group_components(source_parts_, target_parts_);
-        result_.target_from_source = {std::vector<Index>(at(source_.n_vertices()), VertexMap::unmatched),
-                                      target_.n_vertices()};
+        frontiers::require_same_counts(source_, source_adjacency, target_, target_adjacency);
+        source_parts_ = frontiers::split_components(source_, source_adjacency);
+        target_parts_ = frontiers::split_components(target_, target_adjacency);
+        const std::vector<frontiers::ComponentGroup> groups =
+            frontiers::group_components(source_parts_, target_parts_);
+        image_.assign(to_size(source_.n_vertices()), VertexMap::unmatched);
         watch_.lap("connectivity");
-        // Single components anchor those of which there are several alike.
+        // Components of unique connectivity anchor those that share theirs with others.
         for (const bool single : {true, false})
-            for (const ComponentGroup& group : groups)
+            for (const frontiers::ComponentGroup& group : groups)
                 if ((group.source.size() == 1) == single) match_group(group);
         std::stable_sort(
             result_.components.begin(), result_.components.end(),
             [](const ComponentMatch& a, const ComponentMatch& b) { return a.n_vertices > b.n_vertices; });
+        result_.target_from_source = VertexMap(std::move(image_), target_.n_vertices());
         result_.confidence = edge_confidence(source_adjacency, target_adjacency, result_.target_from_source);
         watch_.lap("confidence");
         result_.stages = watch_.stages();
@@ -83,39 +84,39 @@ class FrontiersMatch {
     }
 
   private:
-    void match_group(const ComponentGroup& group) {
-        std::vector<PlacedPair> pairs{{0, 0, {}}};
+    void match_group(const frontiers::ComponentGroup& group) {
+        std::vector<frontiers::PlacedPair> pairs{{0, 0, {}}};
         if (group.source.size() > 1)
-            pairs = place_components(source_, target_, source_parts_, target_parts_, group,
-                                     result_.target_from_source, given_pair(group));
+            pairs = frontiers::place_components(source_, target_, source_parts_, target_parts_, group, image_,
+                                                given_pair(group));
         watch_.lap("components");
-        for (const PlacedPair& pair : pairs) {
-            const ComponentMesh& ours = source_parts_[group.source[pair.source]];
-            const ComponentMesh& theirs = target_parts_[group.target[pair.target]];
-            const Index source = place_of(ours, options_.source),
-                        partner = place_of(theirs, options_.target_source);
+        for (const frontiers::PlacedPair& pair : pairs) {
+            const frontiers::ComponentMesh& ours = source_parts_[group.source[pair.source]];
+            const frontiers::ComponentMesh& theirs = target_parts_[group.target[pair.target]];
+            const Index source = local_index(ours, options_.source_seed),
+                        partner = local_index(theirs, options_.target_seed);
             if ((source < 0) != (partner < 0))
                 throw InvalidInput(
-                    fmt::format("source vertex {} and target vertex {} lie in components of different "
+                    fmt::format("source seed {} and target seed {} lie in components of different "
                                 "connectivity",
-                                options_.source, options_.target_source));
-            const ComponentImage match = match_component(ours, theirs, options_for(ours), {source, partner},
-                                                         pair.rotation ? &*pair.rotation : nullptr, watch_);
+                                options_.source_seed, options_.target_seed));
+            const frontiers::ComponentImage match =
+                frontiers::match_component(ours, theirs, options_for(ours), {source, partner},
+                                           pair.rotation ? &*pair.rotation : nullptr, watch_);
             ComponentMatch summary = match.summary;
             summary.n_interchangeable = static_cast<Index>(group.source.size());
-            summary.source = ours.vertices[at(summary.source)];
-            summary.target = theirs.vertices[at(summary.target)];
+            summary.source = ours.vertices[to_size(summary.source)];
+            summary.target = theirs.vertices[to_size(summary.target)];
             result_.components.push_back(summary);
             result_.n_decided_by_position += match.n_decided_by_position;
             for (std::size_t v = 0; v < match.image.size(); ++v)
                 if (match.image[v] >= 0)
-                    result_.target_from_source.image[at(ours.vertices[v])] =
-                        theirs.vertices[at(match.image[v])];
+                    image_[to_size(ours.vertices[v])] = theirs.vertices[to_size(match.image[v])];
         }
     }
 
     // With progress counted over the vertices of all components.
-    FrontiersOptions options_for(const ComponentMesh& component) {
+    FrontiersOptions options_for(const frontiers::ComponentMesh& component) {
         FrontiersOptions options = options_;
         const double all = source_.n_vertices(), done = n_done_ / all;
         const double share = static_cast<double>(component.vertices.size()) / all;
@@ -128,12 +129,12 @@ class FrontiersMatch {
     }
 
     // The places in the group of the components that the given source vertices name.
-    std::pair<Index, Index> given_pair(const ComponentGroup& group) const {
+    std::pair<Index, Index> given_pair(const frontiers::ComponentGroup& group) const {
         std::pair<Index, Index> given{-1, -1};
         for (std::size_t i = 0; i < group.source.size(); ++i) {
-            if (place_of(source_parts_[group.source[i]], options_.source) >= 0)
+            if (local_index(source_parts_[group.source[i]], options_.source_seed) >= 0)
                 given.first = static_cast<Index>(i);
-            if (place_of(target_parts_[group.target[i]], options_.target_source) >= 0)
+            if (local_index(target_parts_[group.target[i]], options_.target_seed) >= 0)
                 given.second = static_cast<Index>(i);
         }
         return given;
@@ -141,7 +142,8 @@ class FrontiersMatch {
 
     const TriangleMesh &source_, &target_;
     const FrontiersOptions& options_;
-    std::vector<ComponentMesh> source_parts_, target_parts_;
+    std::vector<frontiers::ComponentMesh> source_parts_, target_parts_;
+    std::vector<Index> image_;  // of the components matched so far
     FrontiersResult result_;
     double n_done_ = 0;
     Stopwatch watch_;

@@ -5,25 +5,41 @@
 #include "base/parallel.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
+#include <counterpart/align/icp.hpp>
+#include <counterpart/base/errors.hpp>
 #include <counterpart/match/nearest.hpp>
 
 namespace counterpart {
+namespace {
+
+Affine alignment(const TriangleMesh& source, const TriangleMesh& target, const NearestOptions& options) {
+    if (options.alignment == NearestAlignment::similarity)
+        return icp_from_principal_axes(source, target,
+                                       {.model = TransformModel::similarity,
+                                        .max_iterations = 30,
+                                        .n_threads = options.n_threads,
+                                        .progress = part_of(options.progress, 0, 0.9)})
+            .target_from_source;
+    Affine centroids;
+    centroids.translation = (target.vertices.colwise().mean() - source.vertices.colwise().mean()).transpose();
+    return centroids;
+}
+
+}  // namespace
 
 NearestResult match_nearest(const TriangleMesh& source, const TriangleMesh& target,
                             const NearestOptions& options) {
     require_valid(source);
     require_valid(target);
-    const Eigen::RowVector3d offset = target.vertices.colwise().mean() - source.vertices.colwise().mean();
-    const NearestNeighbors neighbors(target.vertices);
-    NearestResult result{
-        {std::vector<Index>(static_cast<std::size_t>(source.n_vertices())), target.n_vertices()}};
+    const Points moved = alignment(source, target, options)(source.vertices);
+    const numerics::NearestNeighbors neighbors(target.vertices);
+    std::vector<Index> image(static_cast<std::size_t>(source.n_vertices()));
     with_threads(options.n_threads, [&] {
-        parallel_for(result.target_from_source.image.size(), 256, [&](std::size_t v) {
-            const Eigen::RowVector3d moved = source.vertices.row(static_cast<Eigen::Index>(v)) + offset;
-            result.target_from_source.image[v] = neighbors.closest(moved).index;
+        parallel_for(image.size(), 256, part_of(options.progress, 0.9, 1), [&](std::size_t v) {
+            image[v] = neighbors.closest(moved.row(static_cast<Eigen::Index>(v))).index;
         });
     });
-    return result;
+    return {VertexMap(std::move(image), target.n_vertices())};
 }
 
 }  // namespace counterpart

@@ -22,15 +22,15 @@ Index n_corners(const TriangleMesh& mesh) {
     return 3 * mesh.n_triangles();
 }
 
-// The corners around a vertex fall into fans: sets that hang together through edges at the vertex.
-DisjointSets fans_of_corners(const TriangleMesh& mesh, const EdgeTable& edges) {
-    DisjointSets fans(n_corners(mesh));
-    const auto corner_at = [](const EdgeTable::Side& side, bool low) {
+// The corners around a vertex form fans: sets connected through edges at the vertex.
+mesh::DisjointSets fans_of_corners(const TriangleMesh& mesh, const mesh::EdgeTable& edges) {
+    mesh::DisjointSets fans(n_corners(mesh));
+    const auto corner_at = [](const mesh::EdgeTable::HalfEdge& side, bool low) {
         const int c = low == side.forward ? side.corner : (side.corner + 1) % 3;
         return 3 * side.triangle + c;
     };
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        const auto sides = edges.sides(e);
+        const auto sides = edges.half_edges(e);
         for (std::size_t s = 1; s < sides.size(); ++s)
             for (const bool low : {true, false})
                 fans.join(corner_at(sides[0], low), corner_at(sides[s], low));
@@ -40,10 +40,10 @@ DisjointSets fans_of_corners(const TriangleMesh& mesh, const EdgeTable& edges) {
 
 // Number of the component of each vertex, -1 for isolated ones.
 std::vector<Index> number_components(const TriangleMesh& mesh, Index& count) {
-    DisjointSets sets(mesh.n_vertices());
+    mesh::DisjointSets sets(mesh.n_vertices());
     std::vector<Index> number(static_cast<std::size_t>(mesh.n_vertices()), -1);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        if (is_degenerate(mesh, t)) continue;
+        if (mesh::is_degenerate(mesh, t)) continue;
         for (int c = 0; c < 3; ++c) {
             sets.join(mesh.triangles(t, 0), mesh.triangles(t, c));
             number[static_cast<std::size_t>(mesh.triangles(t, c))] = 0;
@@ -61,13 +61,13 @@ std::vector<Index> number_components(const TriangleMesh& mesh, Index& count) {
 
 // A loop goes from boundary edge to boundary edge through the fan that they bound, so that loops that only
 // touch at a vertex stay apart.
-void count_boundary_loops(const TriangleMesh& mesh, const EdgeTable& edges, DisjointSets& fans,
+void count_boundary_loops(const TriangleMesh& mesh, const mesh::EdgeTable& edges, mesh::DisjointSets& fans,
                           const std::vector<Index>& component, MeshReport& report) {
     std::vector<Index> edge_at_fan(static_cast<std::size_t>(n_corners(mesh)), -1);
-    DisjointSets loops(edges.n_edges());
+    mesh::DisjointSets loops(edges.n_edges());
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        if (edges.sides(e).size() != 1) continue;
-        const EdgeTable::Side& side = edges.sides(e)[0];
+        if (edges.half_edges(e).size() != 1) continue;
+        const mesh::EdgeTable::HalfEdge& side = edges.half_edges(e)[0];
         for (const int c : {int{side.corner}, (side.corner + 1) % 3}) {
             Index& other = edge_at_fan[static_cast<std::size_t>(fans.root(3 * side.triangle + c))];
             if (other >= 0) loops.join(other, e);
@@ -75,24 +75,24 @@ void count_boundary_loops(const TriangleMesh& mesh, const EdgeTable& edges, Disj
         }
     }
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        if (edges.sides(e).size() != 1 || loops.root(e) != e) continue;
+        if (edges.half_edges(e).size() != 1 || loops.root(e) != e) continue;
         ++report.n_boundary_loops;
         ++report.components[static_cast<std::size_t>(component[static_cast<std::size_t>(edges.low(e))])]
               .n_boundary_loops;
     }
 }
 
-void count_edges(const TriangleMesh& mesh, const EdgeTable& edges, const std::vector<Index>& component,
+void count_edges(const TriangleMesh& mesh, const mesh::EdgeTable& edges, const std::vector<Index>& component,
                  MeshReport& report) {
-    DisjointSets turned(mesh.n_triangles());  // two colours: kept, and to be turned over
+    mesh::DisjointSets turned(mesh.n_triangles());  // two colors: to keep, and to flip
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        const auto sides = edges.sides(e);
+        const auto sides = edges.half_edges(e);
         auto& piece =
             report.components[static_cast<std::size_t>(component[static_cast<std::size_t>(edges.low(e))])];
         ++piece.n_edges;
         report.n_boundary_edges += sides.size() == 1;
-        const auto n_forward =
-            std::count_if(sides.begin(), sides.end(), [](const EdgeTable::Side& s) { return s.forward; });
+        const auto n_forward = std::count_if(sides.begin(), sides.end(),
+                                             [](const mesh::EdgeTable::HalfEdge& s) { return s.forward; });
         if (n_forward > 1 || static_cast<std::ptrdiff_t>(sides.size()) - n_forward > 1)
             report.is_consistently_oriented = false;
         if (sides.size() > 2) {
@@ -105,11 +105,11 @@ void count_edges(const TriangleMesh& mesh, const EdgeTable& edges, const std::ve
     }
 }
 
-void count_fans(const TriangleMesh& mesh, DisjointSets& fans, const std::vector<Index>& component,
+void count_fans(const TriangleMesh& mesh, mesh::DisjointSets& fans, const std::vector<Index>& component,
                 MeshReport& report) {
     std::vector<Index> n_fans(static_cast<std::size_t>(mesh.n_vertices()), 0);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        if (is_degenerate(mesh, t)) continue;
+        if (mesh::is_degenerate(mesh, t)) continue;
         for (int c = 0; c < 3; ++c)
             n_fans[static_cast<std::size_t>(mesh.triangles(t, c))] += fans.root(3 * t + c) == 3 * t + c;
     }
@@ -162,7 +162,7 @@ MeshReport analyze(const TriangleMesh& mesh) {
         }
     }
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        if (is_degenerate(mesh, t)) {
+        if (mesh::is_degenerate(mesh, t)) {
             ++report.n_degenerate_triangles;
             continue;
         }
@@ -171,14 +171,14 @@ MeshReport analyze(const TriangleMesh& mesh) {
         ++report.components[static_cast<std::size_t>(component[static_cast<std::size_t>(v)])].n_triangles;
     }
 
-    const EdgeTable edges(mesh);
+    const mesh::EdgeTable edges(mesh);
     report.n_edges = edges.n_edges();
     double length = 0;
     for (Index e = 0; e < edges.n_edges(); ++e)
         length += (mesh.vertices.row(edges.low(e)) - mesh.vertices.row(edges.high(e))).norm();
     if (report.n_edges > 0) report.mean_edge_length = length / report.n_edges;
     count_edges(mesh, edges, component, report);
-    DisjointSets fans = fans_of_corners(mesh, edges);
+    mesh::DisjointSets fans = fans_of_corners(mesh, edges);
     count_fans(mesh, fans, component, report);
     count_boundary_loops(mesh, edges, fans, component, report);
     return report;

@@ -6,7 +6,6 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/subdivide.hpp>
 
 #include <array>
 #include <map>
@@ -81,7 +80,7 @@ TriangleMesh outer_squares(const std::set<Cell>& cells) {
     return mesh;
 }
 
-// Every vertex halfway to the mean of its neighbours.
+// Every vertex halfway to the mean of its neighbors.
 Points smoothed(const TriangleMesh& mesh) {
     const Adjacency adjacency(mesh);
     Points result(mesh.n_vertices(), 3);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/symmetric_eigen.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
 #include <counterpart/mesh/deform.hpp>
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -18,14 +19,13 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-// Rows: the directions of largest, middle and smallest spread of the surface, each towards its longer tail
+// Rows: the directions of largest, middle and smallest spread of the surface, each toward its longer tail
 // (third moment), so that the pose does not depend on how the mesh lies in space.
 Eigen::Matrix3d principal_axes(const TriangleMesh& mesh, const Eigen::RowVector3d& center) {
     const Points offsets = mesh.vertices.rowwise() - center;
     const Vector weights = vertex_areas(mesh);
     const Eigen::Matrix3d spread = offsets.transpose() * weights.asDiagonal() * offsets;
-    Eigen::Matrix3d axes =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().rowwise().reverse().transpose();
+    Eigen::Matrix3d axes = numerics::symmetric_eigen(spread).vectors.rowwise().reverse().transpose();
     for (int i = 0; i < 2; ++i) {
         const Vector along = offsets * axes.row(i).transpose();
         if (along.array().cube().matrix().dot(weights) < 0) axes.row(i) *= -1;
@@ -34,9 +34,8 @@ Eigen::Matrix3d principal_axes(const TriangleMesh& mesh, const Eigen::RowVector3
     return axes;
 }
 
-// All below works in units of the length along the first axis, whose middle is the origin: that coordinate is
-// in
-// [-1/2, 1/2].
+// All below works in units of the length along the first axis, with the origin at its middle: that coordinate
+// is in [-1/2, 1/2].
 
 Eigen::Vector3d twisted(const Eigen::Vector3d& p, double angle) {
     return Eigen::AngleAxisd(angle * p.x(), Eigen::Vector3d::UnitX()) * p;

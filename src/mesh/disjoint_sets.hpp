@@ -8,10 +8,10 @@
 #include <numeric>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::mesh {
 
 /// Union-find with path halving; the root of a set is its smallest member. Members may carry a parity
-/// relative to their root, to tell whether a set can be two-coloured.
+/// relative to their root, to tell whether a set can be two-colored.
 class DisjointSets {
   public:
     explicit DisjointSets(Index count)
@@ -28,8 +28,8 @@ class DisjointSets {
         return x;
     }
 
-    /// Joins two sets such that a and b have different colours if `differ`. False if they are in one set
-    /// already with colours that contradict.
+    /// Joins the sets of a and b, which get different colors if `differ`, else equal ones. False if they are
+    /// already in one set with colors that contradict this.
     bool join(Index a, Index b, bool differ = false) {
         const Index ra = root(a), rb = root(b);
         const bool parity = (parity_to_root(a) ^ parity_to_root(b) ^ differ) != 0;
@@ -40,7 +40,7 @@ class DisjointSets {
         return true;
     }
 
-    /// Whether x has another colour than its root.
+    /// Whether x has another color than its root.
     bool is_odd(Index x) { return parity_to_root(x); }
 
   private:
@@ -53,7 +53,7 @@ class DisjointSets {
     }
 
     std::vector<Index> parent_;
-    std::vector<char> odd_;  // colour differs from the parent's; 0 for roots
+    std::vector<char> odd_;  // color differs from the parent's; 0 for roots
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::mesh

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::mesh {
 
-/// A triangle that names a vertex twice.
+/// Whether a triangle has a repeated vertex.
 inline bool is_degenerate(const TriangleMesh& mesh, Index t) {
     const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
     return a == b || b == c || c == a;
@@ -19,13 +19,12 @@ inline bool is_degenerate(const TriangleMesh& mesh, Index t) {
 /// no edges.
 class EdgeTable {
   public:
-    /// One triangle at an edge: the edge leads from corner `corner` of triangle `triangle` to the next
-    /// corner.
-    struct Side {
+    /// An edge as a side of one of its triangles, from corner `corner` of `triangle` to the next corner.
+    struct HalfEdge {
         Index high;  ///< the edge's larger vertex
         Index triangle;
         std::int8_t corner;
-        bool forward;  ///< the triangle runs from the smaller to the larger vertex
+        bool forward;  ///< whether it leads from the smaller to the larger vertex
     };
 
     /// O(F log valence).
@@ -33,17 +32,17 @@ class EdgeTable {
 
     Index n_edges() const { return static_cast<Index>(low_.size()); }
     Index low(Index edge) const { return low_[static_cast<std::size_t>(edge)]; }
-    Index high(Index edge) const { return sides(edge)[0].high; }
-    /// At least one, by triangle.
-    std::span<const Side> sides(Index edge) const {
+    Index high(Index edge) const { return half_edges(edge)[0].high; }
+    /// At least one, sorted by triangle.
+    std::span<const HalfEdge> half_edges(Index edge) const {
         const auto e = static_cast<std::size_t>(edge);
-        return {sides_.data() + first_[e], static_cast<std::size_t>(first_[e + 1] - first_[e])};
+        return {half_edges_.data() + first_[e], static_cast<std::size_t>(first_[e + 1] - first_[e])};
     }
 
   private:
-    std::vector<Side> sides_;
-    std::vector<std::ptrdiff_t> first_;  // edge e has sides_[first_[e] .. first_[e + 1])
+    std::vector<HalfEdge> half_edges_;
+    std::vector<std::ptrdiff_t> first_;  // edge e has half_edges_[first_[e] .. first_[e + 1])
     std::vector<Index> low_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::mesh

@@ -14,37 +14,42 @@
 namespace counterpart {
 namespace {
 
-struct Piece {
-    Index n_even = 0, n_odd = 0;  // triangles wound like the piece's first, and against it
-    bool open = false, one_sided = false;
+struct EdgeComponent {
+    Index n_even = 0, n_odd = 0;  // triangles oriented like the component's first, and opposite to it
+    bool open = false, non_orientable = false;
     double volume = 0, area = 0;
 };
 
-void turn(TriangleMesh& mesh, Index t) { std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2)); }
+void flip(TriangleMesh& mesh, Index t) { std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2)); }
 
-std::vector<Piece> agree_within_pieces(TriangleMesh& mesh, std::vector<Index>& piece_of_triangle) {
-    DisjointSets sets(mesh.n_triangles());
-    std::vector<Piece> pieces(static_cast<std::size_t>(mesh.n_triangles()));  // by smallest triangle
-    const EdgeTable edges(mesh);
+std::vector<EdgeComponent> agree_within_components(TriangleMesh& mesh,
+                                                   std::vector<Index>& component_of_triangle) {
+    mesh::DisjointSets sets(mesh.n_triangles());
+    std::vector<EdgeComponent> components(
+        static_cast<std::size_t>(mesh.n_triangles()));  // by smallest triangle
+    const mesh::EdgeTable edges(mesh);
     std::vector<Index> open, contradicted;
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        const auto sides = edges.sides(e);
+        const auto sides = edges.half_edges(e);
         if (sides.size() != 2) {
-            for (const EdgeTable::Side& side : sides) open.push_back(side.triangle);
+            for (const mesh::EdgeTable::HalfEdge& side : sides) open.push_back(side.triangle);
         } else if (!sets.join(sides[0].triangle, sides[1].triangle, sides[0].forward == sides[1].forward)) {
             contradicted.push_back(sides[0].triangle);
         }
     }
-    const auto piece = [&](Index t) -> Piece& { return pieces[static_cast<std::size_t>(sets.root(t))]; };
-    for (const Index t : open) piece(t).open = true;
-    for (const Index t : contradicted) piece(t).one_sided = true;
-    for (Index t = 0; t < mesh.n_triangles(); ++t) ++(sets.is_odd(t) ? piece(t).n_odd : piece(t).n_even);
+    const auto component = [&](Index t) -> EdgeComponent& {
+        return components[static_cast<std::size_t>(sets.root(t))];
+    };
+    for (const Index t : open) component(t).open = true;
+    for (const Index t : contradicted) component(t).non_orientable = true;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        ++(sets.is_odd(t) ? component(t).n_odd : component(t).n_even);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        const bool odd_is_less = piece(t).n_odd <= piece(t).n_even;
-        if (sets.is_odd(t) == odd_is_less) turn(mesh, t);
-        piece_of_triangle.push_back(sets.root(t));
+        const bool odd_is_less = component(t).n_odd <= component(t).n_even;
+        if (sets.is_odd(t) == odd_is_less) flip(mesh, t);
+        component_of_triangle.push_back(sets.root(t));
     }
-    return pieces;
+    return components;
 }
 
 }  // namespace
@@ -52,34 +57,36 @@ std::vector<Piece> agree_within_pieces(TriangleMesh& mesh, std::vector<Index>& p
 OrientResult orient(const TriangleMesh& mesh) {
     require_valid(mesh);
     OrientResult result{mesh};
-    std::vector<Index> piece_of_triangle;
-    std::vector<Piece> pieces = agree_within_pieces(result.mesh, piece_of_triangle);
+    std::vector<Index> component_of_triangle;
+    std::vector<EdgeComponent> components = agree_within_components(result.mesh, component_of_triangle);
     const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
     const Vector areas = triangle_areas(mesh);
     double open_volume = 0;
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        Piece& piece = pieces[static_cast<std::size_t>(piece_of_triangle[static_cast<std::size_t>(t)])];
+        EdgeComponent& component =
+            components[static_cast<std::size_t>(component_of_triangle[static_cast<std::size_t>(t)])];
         const auto corner = [&](int c) {
             return Eigen::RowVector3d(result.mesh.vertices.row(result.mesh.triangles(t, c)) - center);
         };
         const double volume = corner(0).dot(corner(1).cross(corner(2))) / 6;
-        piece.volume += volume;
-        piece.area += areas[t];
-        if (piece.open || piece.one_sided) open_volume += volume;
+        component.volume += volume;
+        component.area += areas[t];
+        if (component.open || component.non_orientable) open_volume += volume;
     }
     // Rounding leaves a flat mesh a volume of either sign.
     const double noise = 1e-12 * std::pow(areas.sum(), 1.5);
-    double turned_area = 0;
-    for (Piece& piece : pieces) {
-        if (piece.one_sided) ++result.n_one_sided;
-        if (!piece.one_sided) result.n_disagreeing += std::min(piece.n_even, piece.n_odd);
-        if (piece.open || piece.one_sided) piece.volume = open_volume;
-        if (piece.volume < -noise) turned_area += piece.area;
+    double flipped_area = 0;
+    for (EdgeComponent& component : components) {
+        if (component.non_orientable) ++result.n_one_sided;
+        if (!component.non_orientable) result.n_disagreeing += std::min(component.n_even, component.n_odd);
+        if (component.open || component.non_orientable) component.volume = open_volume;
+        if (component.volume < -noise) flipped_area += component.area;
     }
     for (Index t = 0; t < mesh.n_triangles(); ++t)
-        if (pieces[static_cast<std::size_t>(piece_of_triangle[static_cast<std::size_t>(t)])].volume < -noise)
-            turn(result.mesh, t);
-    result.was_inside_out = turned_area > areas.sum() / 2;
+        if (components[static_cast<std::size_t>(component_of_triangle[static_cast<std::size_t>(t)])].volume <
+            -noise)
+            flip(result.mesh, t);
+    result.was_inside_out = flipped_area > areas.sum() / 2;
     return result;
 }
 

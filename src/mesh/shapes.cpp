@@ -2,12 +2,25 @@
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/subdivide.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
+#include <fmt/format.h>
+
 namespace counterpart {
+namespace {
+
+// Two triangles for each of rows x columns squares.
+void require_countable(const char* shape, int rows, int columns) {
+    if (2 * std::int64_t{rows} * columns > max_triangles)
+        throw InvalidInput(fmt::format("{}: {} x {} squares are more than {} triangles", shape, rows, columns,
+                                       max_triangles));
+}
+
+}  // namespace
 
 TriangleMesh make_icosphere(int subdivisions) {
     if (subdivisions < 0 || subdivisions > 10)
@@ -28,6 +41,7 @@ TriangleMesh make_icosphere(int subdivisions) {
 
 TriangleMesh make_torus(int rings, int segments) {
     if (rings < 3 || segments < 3) throw InvalidInput("make_torus: rings and segments must be at least 3");
+    require_countable("make_torus", rings, segments);
     TriangleMesh mesh{Points(rings * segments, 3), Triangles(2 * rings * segments, 3)};
     constexpr double minor = 0.4;
     for (int i = 0; i < rings; ++i) {
@@ -48,6 +62,7 @@ TriangleMesh make_torus(int rings, int segments) {
 
 TriangleMesh make_grid(int columns, int rows) {
     if (columns < 1 || rows < 1) throw InvalidInput("make_grid: columns and rows must be at least 1");
+    require_countable("make_grid", columns, rows);
     TriangleMesh mesh{Points((columns + 1) * (rows + 1), 3), Triangles(2 * columns * rows, 3)};
     for (int y = 0; y <= rows; ++y)
         for (int x = 0; x <= columns; ++x)

@@ -11,6 +11,11 @@ void require_valid(const TriangleMesh& mesh) {
     if (mesh.n_vertices() == 0) throw InvalidInput("the mesh has no vertices");
     if (mesh.n_triangles() == 0)
         throw InvalidInput("the mesh has no faces: a point cloud cannot be matched as a surface");
+    if (mesh.triangles.rows() > max_triangles) {
+        throw InvalidInput(
+            fmt::format("the mesh has {} triangles; at most {} are supported: decimate it first",
+                        mesh.triangles.rows(), max_triangles));
+    }
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         if (!mesh.vertices.row(v).allFinite()) {
             throw InvalidInput(fmt::format("vertex {} has a coordinate that is not finite ({}, {}, {})", v,

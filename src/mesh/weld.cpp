@@ -13,7 +13,7 @@
 namespace counterpart {
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+using GridCell = std::array<std::int64_t, 3>;
 
 // Kept vertices by cell of a grid: a hash table with chains through the vertices.
 class CellTable {
@@ -21,7 +21,7 @@ class CellTable {
     explicit CellTable(std::size_t n_vertices)
         : first_(std::bit_ceil(2 * n_vertices), -1), next_(n_vertices, -1), cell_(n_vertices) {}
 
-    void insert(const Cell& cell, Index kept) {
+    void insert(const GridCell& cell, Index kept) {
         Index& head = first_[slot(cell)];
         next_[static_cast<std::size_t>(kept)] = head;
         cell_[static_cast<std::size_t>(kept)] = cell;
@@ -29,15 +29,15 @@ class CellTable {
     }
     // The smallest kept vertex of the cell for which `accept` holds, -1 if there is none.
     template <class Accept>
-    Index find(const Cell& cell, const Accept& accept) const {
+    Index find(const GridCell& cell, const Accept& accept) const {
         Index found = -1;
         for (Index k = first_[slot(cell)]; k >= 0; k = next_[static_cast<std::size_t>(k)])
-            if (cell_[static_cast<std::size_t>(k)] == cell && accept(k)) found = k;  // chains run downwards
+            if (cell_[static_cast<std::size_t>(k)] == cell && accept(k)) found = k;  // chains run downward
         return found;
     }
 
   private:
-    std::size_t slot(const Cell& cell) const {
+    std::size_t slot(const GridCell& cell) const {
         std::uint64_t hash = 0;
         for (const std::int64_t part : cell) {
             hash = (hash ^ static_cast<std::uint64_t>(part)) * 0x9e3779b97f4a7c15ULL;
@@ -47,25 +47,25 @@ class CellTable {
     }
 
     std::vector<Index> first_, next_;
-    std::vector<Cell> cell_;
+    std::vector<GridCell> cell_;
 };
 
 // Exact welding: a cell per position. Adding zero makes -0 and 0 one.
-Cell exact_cell(const Eigen::RowVector3d& p) {
-    Cell cell;
+GridCell exact_cell(const Eigen::RowVector3d& p) {
+    GridCell cell;
     for (int k = 0; k < 3; ++k) cell[static_cast<std::size_t>(k)] = std::bit_cast<std::int64_t>(p[k] + 0.0);
     return cell;
 }
 
-Cell grid_cell(const Eigen::RowVector3d& p, double width) {
-    Cell cell;
+GridCell grid_cell(const Eigen::RowVector3d& p, double width) {
+    GridCell cell;
     for (int k = 0; k < 3; ++k)
         cell[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(p[k] / width));
     return cell;
 }
 
 template <class Accept>
-Index find_around(const CellTable& table, const Cell& center, const Accept& accept) {
+Index find_around(const CellTable& table, const GridCell& center, const Accept& accept) {
     Index found = -1;
     for (std::int64_t x = -1; x <= 1; ++x) {
         for (std::int64_t y = -1; y <= 1; ++y) {
@@ -98,7 +98,7 @@ WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         const Eigen::RowVector3d p = mesh.vertices.row(v);
         const auto close = [&](Index k) { return (result.mesh.vertices.row(k) - p).squaredNorm() <= limit; };
-        const Cell cell = exact ? exact_cell(p) : grid_cell(p, options.distance);
+        const GridCell cell = exact ? exact_cell(p) : grid_cell(p, options.distance);
         Index kept = exact ? table.find(cell, [](Index) { return true; }) : find_around(table, cell, close);
         if (kept < 0) {
             kept = n_kept++;

@@ -16,7 +16,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -37,10 +37,11 @@ class Assignment {
         for (int pass = 0; pass < 2; ++pass) reduce_rows();
         const std::vector<Index> free = free_rows();
         for (std::size_t i = 0; i < free.size(); ++i) {
-            if (i % 64 == 0) report(progress, static_cast<double>(i) / static_cast<double>(free.size()));
+            if (i % 64 == 0)
+                report_progress(progress, static_cast<double>(i) / static_cast<double>(free.size()));
             augment(free[i]);
         }
-        report(progress, 1);
+        report_progress(progress, 1);
         return std::move(column_of_);
     }
 
@@ -206,4 +207,4 @@ std::vector<Index> solve_assignment(const Matrix& cost, const Progress& progress
     return column_of_row;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

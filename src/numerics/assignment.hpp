@@ -7,10 +7,10 @@
 
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 /// Optimal assignment of rows to columns: each row gets at most one column and each column at most one row,
-/// the smaller side is wholly assigned, and the sum of the chosen costs is the least possible. Returns the
+/// the smaller set is fully assigned, and the sum of the chosen costs is the least possible. Returns the
 /// column of each row, -1 for a row left over (only if there are more rows than columns).
 ///
 /// Shortest augmenting paths after column reduction and augmenting row reduction (Jonker and Volgenant 1987),
@@ -19,4 +19,4 @@ namespace counterpart {
 /// throws InvalidInput naming the first entry that is not finite or above 1e200 in magnitude.
 std::vector<Index> solve_assignment(const Matrix& cost, const Progress& progress = {});
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

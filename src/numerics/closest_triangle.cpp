@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 constexpr Index leaf_size = 4;
@@ -159,4 +159,4 @@ Eigen::Vector3d ClosestTriangle::position(const ClosestPoint& point) const {
     return sum;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 /// The point of a triangle closest to a query point.
 struct ClosestPoint {
@@ -22,7 +22,7 @@ struct ClosestPoint {
 ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vector3d& a,
                                  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// The closest point on some of a mesh's triangles, by looking at each; of equally close ones the first.
+/// The closest point on some of a mesh's triangles, by brute force; of equally close ones the first.
 /// triangle is -1 if `among` is empty.
 ClosestPoint closest_among(std::span<const Index> among, const Points& vertices, const Triangles& triangles,
                            const Eigen::Vector3d& query);
@@ -33,7 +33,7 @@ class ClosestTriangle {
   public:
     ClosestTriangle(Points vertices, Triangles triangles);
 
-    /// The closest point; of equally close triangles the one with the smallest number. With a `normal` (unit)
+    /// The closest point; of equally close triangles the one with the smallest index. With a `normal` (unit)
     /// only triangles whose unit normal has a product above `least_cosine` with it count; triangle is -1 if
     /// there is none within `radius`.
     ClosestPoint closest(const Eigen::Vector3d& query,
@@ -64,4 +64,4 @@ class ClosestTriangle {
     std::vector<Node> nodes_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -5,19 +5,19 @@
 #include <cmath>
 #include <numbers>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 std::vector<bool> on_convex_hull(const Points& points, double tolerance) {
     constexpr int n_directions = 2000;
     std::vector<bool> on_hull(static_cast<std::size_t>(points.rows()), false);
     if (points.rows() == 0) return on_hull;
-    const Points centred = points.rowwise() - points.colwise().mean();
-    const double slack = tolerance * centred.rowwise().norm().maxCoeff();
+    const Points centered = points.rowwise() - points.colwise().mean();
+    const double slack = tolerance * centered.rowwise().norm().maxCoeff();
     for (int i = 0; i < n_directions; ++i) {
         // Fibonacci lattice on the sphere.
         const double z = 1 - (2 * i + 1.0) / n_directions, r = std::sqrt(1 - z * z);
         const double angle = 2 * std::numbers::pi * i / std::numbers::phi;
-        const Vector reach = centred * Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z);
+        const Vector reach = centered * Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z);
         const double least = reach.maxCoeff() - slack;
         for (Eigen::Index p = 0; p < points.rows(); ++p)
             if (reach[p] >= least) on_hull[static_cast<std::size_t>(p)] = true;
@@ -25,4 +25,4 @@ std::vector<bool> on_convex_hull(const Points& points, double tolerance) {
     return on_hull;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

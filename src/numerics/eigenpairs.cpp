@@ -5,13 +5,14 @@
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 // What Spectra asks of an operator: y = (stiffness - shift * mass)^-1 x.
@@ -19,8 +20,9 @@ class ShiftInvert {
   public:
     using Scalar = double;
 
-    ShiftInvert(const SparseMatrix& stiffness, const SparseMatrix& mass)
-        : stiffness_(stiffness), mass_(mass) {}
+    ShiftInvert(const SparseMatrix& stiffness, const SparseMatrix& mass, int n_basis,
+                const Progress& progress)
+        : stiffness_(stiffness), mass_(mass), n_basis_(n_basis), progress_(progress) {}
 
     Eigen::Index rows() const { return stiffness_.rows(); }
     Eigen::Index cols() const { return stiffness_.cols(); }
@@ -30,12 +32,18 @@ class ShiftInvert {
             throw NumericalError("the shifted Laplacian cannot be factorized");
     }
     void perform_op(const double* x, double* y) const {
+        // The number of restarts is unknown in advance: each filled basis counts as half of the remaining
+        // work.
+        report_progress(progress_, 1 - std::exp2(-static_cast<double>(n_steps_++) / n_basis_));
         Eigen::Map<Vector>(y, rows()) = factor_.solve(Eigen::Map<const Vector>(x, rows()));
     }
 
   private:
     const SparseMatrix& stiffness_;
     const SparseMatrix& mass_;
+    const int n_basis_;
+    const Progress& progress_;
+    mutable int n_steps_ = 0;
     Eigen::SimplicialLDLT<SparseMatrix> factor_;
 };
 
@@ -48,12 +56,12 @@ Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& m
 }
 
 Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                              double shift) {
-    ShiftInvert inverse(stiffness, mass);
-    Spectra::SparseSymMatProd<double> product(mass);
+                              double shift, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
     // Twice as many basis vectors as wanted pairs, Spectra's advice; larger saves restarts but costs memory.
     const int n_basis = std::min(size, 2 * count + 20);
+    ShiftInvert inverse(stiffness, mass, n_basis, progress);
+    Spectra::SparseSymMatProd<double> product(mass);
     Spectra::SymGEigsShiftSolver<ShiftInvert, Spectra::SparseSymMatProd<double>,
                                  Spectra::GEigsMode::ShiftInvert>
         solver(inverse, product, count, n_basis, shift);
@@ -67,12 +75,13 @@ Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix&
 }  // namespace
 
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                               double shift) {
+                               double shift, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
     if (count < 1 || count > size)
         throw InvalidInput("the number of eigenpairs must be from 1 to the matrix' size");
-    Eigenpairs pairs = size <= 3 * count || size <= 200 ? dense_eigenpairs(stiffness, mass, count)
-                                                        : lanczos_eigenpairs(stiffness, mass, count, shift);
+    Eigenpairs pairs = size <= 3 * count || size <= 200
+                           ? dense_eigenpairs(stiffness, mass, count)
+                           : lanczos_eigenpairs(stiffness, mass, count, shift, progress);
     for (Eigen::Index j = 0; j < pairs.vectors.cols(); ++j) {
         auto vector = pairs.vectors.col(j);
         Eigen::Index largest = 0;
@@ -82,4 +91,4 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix
     return pairs;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
-// The three leading principal coordinates of the doubly centred squared distances.
+// The three leading principal coordinates of the doubly centered squared distances.
 Points classical_solution(const Matrix& distances) {
     const Eigen::Index n = distances.rows();
     Eigen::MatrixXd gram = -0.5 * distances.array().square();
@@ -51,4 +51,4 @@ Points multidimensional_scaling(const Matrix& distances, int iterations) {
     return points;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

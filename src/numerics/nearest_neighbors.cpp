@@ -9,7 +9,7 @@
 
 #include <nanoflann.hpp>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 using Neighbor = NearestNeighbors::Neighbor;
@@ -18,9 +18,11 @@ bool nearer(const Neighbor& a, const Neighbor& b) {
     return std::pair(a.squared_distance, a.index) < std::pair(b.squared_distance, b.index);
 }
 
-// What nanoflann fills during a search, with ties broken by index.
+// What nanoflann fills during a search; `DistanceType` and `sort` are asked for since its version 1.5. Here
+// the neighbors closest to the query, nearest first, with ties broken by index.
 class Closest {
   public:
+    using DistanceType = double;
     explicit Closest(std::size_t capacity) : capacity_(capacity) { found_.reserve(capacity); }
 
     std::size_t size() const { return found_.size(); }
@@ -39,11 +41,39 @@ class Closest {
         return true;
     }
 
+    void sort() {}
     std::vector<Neighbor> take() { return std::move(found_); }
     const Neighbor& best() const { return found_.front(); }
 
   private:
     std::size_t capacity_;
+    std::vector<Neighbor> found_;
+};
+
+// Everything up to a distance, by index.
+class Within {
+  public:
+    using DistanceType = double;
+    // Only what is below the bound is found: the radius itself is to belong to it.
+    explicit Within(double radius)
+        : bound_(std::nextafter(radius * radius, std::numeric_limits<double>::infinity())) {}
+
+    std::size_t size() const { return found_.size(); }
+    bool full() const { return true; }
+    double worstDist() const { return bound_; }
+    bool addPoint(double squared_distance, Index index) {
+        if (squared_distance < bound_) found_.push_back({index, squared_distance});
+        return true;
+    }
+
+    void sort() {
+        std::sort(found_.begin(), found_.end(),
+                  [](const Neighbor& a, const Neighbor& b) { return a.index < b.index; });
+    }
+    std::vector<Neighbor> take() { return std::move(found_); }
+
+  private:
+    double bound_;
     std::vector<Neighbor> found_;
 };
 
@@ -88,15 +118,10 @@ std::vector<Neighbor> NearestNeighbors::closest(const Eigen::RowVector3d& query,
 }
 
 std::vector<Neighbor> NearestNeighbors::within(const Eigen::RowVector3d& query, double radius) const {
-    std::vector<std::pair<Index, double>> raw;
-    // nanoflann's radius is squared and exclusive.
-    const double bound = std::nextafter(radius * radius, std::numeric_limits<double>::infinity());
-    tree_->search.radiusSearch(query.data(), bound, raw, nanoflann::SearchParams());
-    std::vector<Neighbor> found;
-    for (const auto& [index, squared_distance] : raw) found.push_back({index, squared_distance});
-    std::sort(found.begin(), found.end(),
-              [](const Neighbor& a, const Neighbor& b) { return a.index < b.index; });
-    return found;
+    Within within(radius);
+    tree_->search.findNeighbors(within, query.data(), {});
+    within.sort();
+    return within.take();
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 /// A kd-tree over points in 3D. Keeps a copy of the points. Queries may run on several threads at once.
 class NearestNeighbors {
@@ -34,4 +34,4 @@ class NearestNeighbors {
     std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 constexpr Index tile_rows = 6;
@@ -127,4 +127,4 @@ MatrixF transposed_product(const MatrixF& a, const MatrixF& b) {
         [&](Index i, Index k) { return a.coeff(k, i); }, b);
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -4,7 +4,7 @@
 
 #include "numerics/product_search.hpp"
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 /// a * b and a^T * b in single precision, with the widest vectors the machine has (Eigen uses those it was
 /// compiled for). Every sum runs in one fixed order without fused operations: the result is the same on every
@@ -12,4 +12,4 @@ namespace counterpart {
 MatrixF product(const MatrixF& a, const MatrixF& b);
 MatrixF transposed_product(const MatrixF& a, const MatrixF& b);
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

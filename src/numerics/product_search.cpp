@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 constexpr Index tile_rows = 6;
@@ -185,4 +185,4 @@ BestPartners best_partners(const MatrixF& x, const MatrixF& y, const VectorF& ro
     return {std::move(rows.index), std::move(columns[0].index)};
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

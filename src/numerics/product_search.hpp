@@ -6,9 +6,9 @@
 
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
-/// Row-major single precision: enough for nearest neighbours, half the memory traffic.
+/// Row-major single precision: enough for nearest neighbors, half the memory traffic.
 using MatrixF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using VectorF = Eigen::VectorXf;
 
@@ -18,10 +18,10 @@ struct BestPartners {
 
 /// With S = x * y^T (x: n x d, y: m x d), the column j that maximizes S(i, j) - column_bias[j] for every row
 /// i, and the row i that maximizes S(i, j) - row_bias[i] for every column j; ties by smallest number. With
-/// biases of half the squared lengths these are the nearest neighbours. S is never stored. Every sum runs in
+/// biases of half the squared lengths these are the nearest neighbors. S is never stored. Every sum runs in
 /// one fixed order without fused operations: the result is the same on every machine and for any number of
 /// threads. O(n m d).
 BestPartners best_partners(const MatrixF& x, const MatrixF& y, const VectorF& row_bias,
                            const VectorF& column_bias);
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -6,7 +6,7 @@
 
 #include <Eigen/SVD>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 FittedRotation fit_rotation(const Eigen::Matrix3d& covariance) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -45,6 +45,10 @@ Eigen::Quaterniond follow_rotation(const Eigen::Matrix3d& covariance, Eigen::Qua
     return guess;
 }
 
+Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    return Eigen::Quaterniond::FromTwoVectors(from, to);
+}
+
 Eigen::Quaterniond rotation_from_vector(const Eigen::Vector3d& vector) {
     const double angle = vector.norm();
     const double factor = angle > 1e-8 ? std::sin(angle / 2) / angle : 0.5;
@@ -61,4 +65,4 @@ Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
     return (rotation.w() < 0 ? -factor : factor) * rotation.vec();
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

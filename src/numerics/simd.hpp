@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
-/// Vectors of the compiler's own, written out because an attribute may not depend on a template parameter.
+/// The compiler's vector types, written out because an attribute may not depend on a template parameter.
 template <int lanes>
 struct Simd;
 template <>
@@ -25,4 +25,4 @@ struct Simd<16> {
     using Ints [[gnu::vector_size(64)]] = std::int32_t;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

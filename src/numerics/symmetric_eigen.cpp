@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 SymmetricEigen<Eigen::Matrix3d, Eigen::Vector3d> symmetric_eigen(const Eigen::Matrix3d& matrix) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
@@ -16,4 +16,4 @@ SymmetricEigen<Eigen::MatrixXd, Eigen::VectorXd> symmetric_eigen(const Eigen::Ma
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

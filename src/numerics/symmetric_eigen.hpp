@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace counterpart {
+namespace counterpart::numerics {
 
 /// Values increasing, vectors in columns, orthonormal.
 template <class Matrix, class Vector>
@@ -18,4 +18,4 @@ struct SymmetricEigen {
 SymmetricEigen<Eigen::Matrix3d, Eigen::Vector3d> symmetric_eigen(const Eigen::Matrix3d& matrix);
 SymmetricEigen<Eigen::MatrixXd, Eigen::VectorXd> symmetric_eigen(const Eigen::MatrixXd& matrix);
 
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 const Color ink(0.15, 0.15, 0.17), grid_ink(0.88, 0.88, 0.88), paper(1, 1, 1);
@@ -45,7 +45,7 @@ class Chart {
                ink,
                0.5});
         write({{1.7 * text_, 0.5 * (top_ + bottom_)},
-               "share of vertices within the error (%)",
+               "vertices within the error (%)",
                1.1 * text_,
                ink,
                0.5,
@@ -129,12 +129,12 @@ std::vector<double> round_ticks(double max, int most) {
 }
 
 Drawing error_chart(const std::vector<ErrorCurve>& curves, const ChartOptions& options) {
-    if (curves.empty()) throw InvalidInput("a diagram of errors needs at least one curve");
+    if (curves.empty()) throw InvalidInput("an error chart needs at least one curve");
     if (options.width < 300 || options.height < 200 || options.width > 16384 || options.height > 16384)
-        throw InvalidInput("a diagram must be at least 300 x 200 and at most 16384 pixels on a side");
+        throw InvalidInput("a chart must be at least 300 x 200 and at most 16384 pixels on a side");
     double max_error = options.max_error;
     if (!(max_error >= 0) || !std::isfinite(max_error))
-        throw InvalidInput("the largest error of a diagram must be 0 (automatic) or more");
+        throw InvalidInput("the largest error of a chart must be 0 (automatic) or positive");
     for (const ErrorCurve& curve : curves) {
         if (curve.errors.empty() || curve.errors.size() != curve.fraction_within.size())
             throw InvalidInput("curve '" + curve.label + "' needs as many errors as fractions, at least one");
@@ -169,7 +169,7 @@ void add_color_bar(Drawing& drawing, const ColorBar& bar) {
 Image matrix_picture(const std::vector<Matrix>& matrices, const std::vector<std::string>& titles, int width,
                      int height) {
     if (matrices.empty() || titles.size() != matrices.size())
-        throw InvalidInput("a picture of matrices needs at least one, and a title for each");
+        throw InvalidInput("an image of matrices needs at least one matrix, and a title for each");
     double max = 0;
     for (const Matrix& matrix : matrices) {
         if (matrix.size() == 0) throw InvalidInput("an empty matrix cannot be drawn");
@@ -179,7 +179,7 @@ Image matrix_picture(const std::vector<Matrix>& matrices, const std::vector<std:
     const double text = std::max(12.0, height / 36.0);
     const int gap = static_cast<int>(1.5 * text), below = static_cast<int>(6.5 * text);
     const int side = std::min((width - (n + 1) * gap) / n, height - gap - below);
-    if (side < 1) throw InvalidInput("the picture is too small for " + std::to_string(n) + " matrices");
+    if (side < 1) throw InvalidInput("the image is too small for " + std::to_string(n) + " matrices");
     Image image(width, height, paper);
     Drawing drawing{width, height, {}};
     const int left = (width - n * side - (n - 1) * gap) / 2;
@@ -206,4 +206,4 @@ Image matrix_picture(const std::vector<Matrix>& matrices, const std::vector<std:
     return image;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <span>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
-// Colours at equal steps of the published tables; between them interpolation is off by less than 0.01.
+// Colors at equal steps of the published tables; between them interpolation is off by less than 0.01.
 constexpr std::array viridis = {0x440154, 0x482878, 0x3e4989, 0x31688e, 0x26828e,
                                 0x1f9e89, 0x35b779, 0x6ece58, 0xb5de2b, 0xfde725};
 constexpr std::array cividis = {0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173,
@@ -44,7 +44,7 @@ Colormap colormap_from_name(const std::string& name) {
     const std::vector<std::string> names = colormap_names();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        throw InvalidInput("there is no colour map '" + name + "'; use viridis, cividis or magma");
+        throw InvalidInput("there is no color map '" + name + "'; use viridis, cividis or magma");
     return static_cast<Colormap>(found - names.begin());
 }
 
@@ -58,7 +58,7 @@ Color sample(Colormap map, double t) {
 }
 
 Color position_color(const Eigen::RowVector3d& position) {
-    // A circle of constant lightness in the Oklab colour space (Ottosson 2020), where equal distances look
+    // A circle of constant lightness in the Oklab color space (Ottosson 2020), where equal distances look
     // equal.
     const double radius = std::min(1.0, std::hypot(position.x(), position.y()));
     const double hue = std::atan2(position.y(), position.x()) + 0.9 * position.z();
@@ -82,4 +82,4 @@ Color position_color(const Eigen::RowVector3d& position) {
 
 Color category_color(int n) { return from_hex(okabe_ito[static_cast<std::size_t>(n) % okabe_ito.size()]); }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

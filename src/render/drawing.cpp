@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/stroke_font.hpp"
 
-#include <counterpart/render/drawing.hpp>
+#include <counterpart/render/charts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 constexpr double capital_per_size = 1 / 1.4;
@@ -69,8 +69,8 @@ class Pen {
             Polyline line{{}, text.color, std::max(1.1, 0.075 * text.size)};
             for (const Eigen::RowVector2d& p : stroke) {
                 const double along = scale * (p.x() - text.anchor * stroked.width), up = scale * p.y();
-                line.points.push_back(text.at + (text.upwards ? Eigen::RowVector2d(-up, -along)
-                                                              : Eigen::RowVector2d(along, -up)));
+                line.points.push_back(text.at + (text.upward ? Eigen::RowVector2d(-up, -along)
+                                                             : Eigen::RowVector2d(along, -up)));
             }
             (*this)(line);
         }
@@ -138,8 +138,8 @@ struct SvgWriter {
     void operator()(const Text& text) const {
         const char* anchor = text.anchor < 0.25 ? "start" : text.anchor > 0.75 ? "end" : "middle";
         const std::string turn =
-            text.upwards ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x(), text.at.y())
-                         : "";
+            text.upward ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", text.at.x(), text.at.y())
+                        : "";
         fmt::format_to(
             std::back_inserter(out),
             "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.1f}\" fill=\"{}\" text-anchor=\"{}\"{}>{}"
@@ -169,4 +169,4 @@ double text_width(const std::string& text, double size) {
     return stroke_text(text).width * size * capital_per_size;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

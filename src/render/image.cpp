@@ -8,7 +8,7 @@
 
 #include <png.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 std::uint8_t to_byte(double x) {
@@ -20,7 +20,7 @@ std::uint8_t to_byte(double x) {
 Image::Image(int width_, int height_, const Color& fill) : width(width_), height(height_) {
     constexpr int most = 16384;
     if (width < 1 || height < 1 || width > most || height > most)
-        throw InvalidInput("an image must be 1 .. 16384 pixels wide and high, not " + std::to_string(width) +
+        throw InvalidInput("an image must be 1 to 16384 pixels wide and high, not " + std::to_string(width) +
                            " x " + std::to_string(height));
     rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = to_byte(fill[static_cast<Eigen::Index>(i % 3)]);
@@ -40,7 +40,7 @@ std::string encode_png(const Image& image) {
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(header);
     std::string bytes(size, '\0');
     if (png_image_write_to_memory(&header, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr) == 0)
-        throw IoError(std::string("the picture cannot be written as PNG: ") + header.message);
+        throw IoError(std::string("the image cannot be written as PNG: ") + header.message);
     bytes.resize(size);
     return bytes;
 }
@@ -49,13 +49,13 @@ Image decode_png(std::string_view bytes) {
     png_image header{};
     header.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&header, bytes.data(), bytes.size()) == 0)
-        throw IoError(std::string("not a PNG picture: ") + header.message);
+        throw IoError(std::string("not a PNG image: ") + header.message);
     header.format = PNG_FORMAT_RGB;
     Image image(static_cast<int>(header.width), static_cast<int>(header.height), {1, 1, 1});
     const png_color white{255, 255, 255};
     if (png_image_finish_read(&header, &white, image.rgb.data(), 0, nullptr) == 0)
-        throw IoError(std::string("the PNG picture is damaged: ") + header.message);
+        throw IoError(std::string("the PNG image is damaged: ") + header.message);
     return image;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

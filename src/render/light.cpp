@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 constexpr int tile = 4, n_tile = tile * tile;
@@ -118,4 +118,4 @@ std::vector<Light> gather_light(const Tracer& tracer, const Hits& hits, int widt
     return smooth;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -4,22 +4,21 @@
 #include <counterpart/base/random.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/render/map_figures.hpp>
-#include <counterpart/render/mesh_figures.hpp>
+#include <counterpart/render/figures.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 bool known(const Points& values, Index v) { return !std::isnan(values(v, 0)); }
 
-/// One ring further: vertices without a value take the mean of the neighbours that have one.
+/// One ring further: vertices without a value take the mean of the neighbors that have one.
 void spread(Points& values, const Adjacency& adjacency) {
     const Points before = values;
     for (Index v = 0; v < adjacency.n_vertices(); ++v) {
@@ -66,7 +65,8 @@ Color paint(const Eigen::RowVector3d& position, const Eigen::RowVector2d& square
 
 }  // namespace
 
-Points carry(const Points& values, const VertexMap& target_from_source, const TriangleMesh& target) {
+Points transfer_to_target(const Points& values, const VertexMap& target_from_source,
+                          const TriangleMesh& target) {
     require_valid(target_from_source, static_cast<Index>(values.rows()), target.n_vertices());
     Points sum = Points::Zero(target.n_vertices(), 3);
     Vector count = Vector::Zero(target.n_vertices());
@@ -89,7 +89,7 @@ Scene texture_scene(const PlacedMesh& source, const PlacedMesh& target, const Ve
                     Texture texture) {
     Surface left{source.placement(source.mesh), {}, {}}, right{target.placement(target.mesh), {}, {}};
     left.attributes = picture_position(source, left.mesh);
-    right.attributes = carry(left.attributes, target_from_source, target.mesh);
+    right.attributes = transfer_to_target(left.attributes, target_from_source, target.mesh);
     const Eigen::RowVector2d squares = source.placement.half_size().head<2>() / 0.075;
     left.color = right.color = [squares, checker = texture == Texture::checker](const Eigen::RowVector3d& p) {
         return paint(p, squares, checker);
@@ -129,7 +129,7 @@ Surface value_surface(const PlacedMesh& placed, const Vector& values, double max
     if (values.size() != placed.mesh.n_vertices())
         throw InvalidInput("there must be a value for each of the " +
                            std::to_string(placed.mesh.n_vertices()) + " vertices");
-    if (!(max > 0)) throw InvalidInput("the largest value of a colour bar must be positive");
+    if (!(max > 0)) throw InvalidInput("the largest value of a color bar must be positive");
     Surface surface = plain_surface(placed.mesh, placed.placement);
     surface.attributes.col(0) = values;
     surface.color = [max, colormap](const Eigen::RowVector3d& value) {
@@ -138,4 +138,4 @@ Surface value_surface(const PlacedMesh& placed, const Vector& values, double max
     return surface;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

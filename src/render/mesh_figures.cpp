@@ -4,16 +4,16 @@
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/render/mesh_figures.hpp>
+#include <counterpart/render/figures.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
-const Color source_red(0.80, 0.10, 0.15), line_grey(0.45, 0.45, 0.47);
+const Color source_red(0.80, 0.10, 0.15), line_gray(0.45, 0.45, 0.47);
 constexpr double source_dot = 0.017;  // picture space: the mesh has unit area
 
 Points repeated(const Color& color, Index n) { return color.replicate(n, 1); }
@@ -76,13 +76,13 @@ void add_frontiers(Scene& scene, const TriangleMesh& mesh, const Placement& plac
     scene.surfaces.push_back(std::move(surface));
 }
 
-void add_base_vertices(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
-                       const BaseVertices& bases) {
-    if (bases.base_of_vertex.size() != static_cast<std::size_t>(mesh.n_vertices()))
-        throw InvalidInput("the base vertices are those of another mesh");
+void add_farthest_point_samples(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
+                                const FarthestPointSamples& bases) {
+    if (bases.sample_of_vertex.size() != static_cast<std::size_t>(mesh.n_vertices()))
+        throw InvalidInput("the samples belong to another mesh");
     Surface surface = plain_surface(mesh, placement);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
-        const Index base = bases.base_of_vertex[static_cast<std::size_t>(v)];
+        const Index base = bases.sample_of_vertex[static_cast<std::size_t>(v)];
         surface.attributes.row(v) = base < 0 ? no_value_color() : pale(category_color(base % 6));
     }
     scene.surfaces.push_back(std::move(surface));
@@ -133,12 +133,12 @@ void add_shortcuts(Scene& scene, const TriangleMesh& mesh, const Placement& plac
     const Eigen::RowVector3d lift(0, 0, 4 * thin);
     for (Index v = 0; v < patch.n_vertices(); ++v) {
         for (const Index w : adjacency.neighbors(v))
-            if (v < w) tube(v, w, 1, line_grey);
+            if (v < w) tube(v, w, 1, line_gray);
         for (const DistanceGraph::Link& link : graph.links(v))
             if (v < link.to && !adjacency.has_edge(v, link.to))
                 scene.tubes.push_back({at(v) + lift, at(link.to) + lift, 1.2 * thin, category_color(1)});
     }
-    // Dots by frontier: found again by position, since the patch has its own numbers.
+    // Dots by frontier: vertices are identified by position, since the extracted region has its own indices.
     const Vector distance = distances_from(DistanceGraph(mesh), center, {.radius = radius});
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         if (distance[v] <= radius)
@@ -157,7 +157,7 @@ void add_frontier_pair(Scene& scene, const FrontierPair& frontiers, double dot_r
     add(frontiers.first, frontiers.first_edges, category_color(0));
     add(frontiers.second, frontiers.second_edges, category_color(1));
     for (const auto& [a, b] : frontiers.pairs)
-        scene.tubes.push_back({frontiers.first.row(a), frontiers.second.row(b), 0.2 * dot_radius, line_grey});
+        scene.tubes.push_back({frontiers.first.row(a), frontiers.second.row(b), 0.2 * dot_radius, line_gray});
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

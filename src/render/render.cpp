@@ -13,7 +13,7 @@
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 void require_valid(const Scene& scene, const RenderOptions& options) {
@@ -27,12 +27,12 @@ void require_valid(const Scene& scene, const RenderOptions& options) {
                                std::to_string(surface.attributes.rows()));
     }
     if (!(options.margin >= 0 && options.margin <= 0.45))
-        throw InvalidInput("the margin must be 0 .. 0.45 of the picture");
+        throw InvalidInput("the margin must be 0 to 0.45 of the image");
     if (options.bottom < 0 || options.right < 0 || 2 * options.bottom > options.height ||
         2 * options.right > options.width)
-        throw InvalidInput("the space left at the bottom and right must be 0 .. half the picture");
+        throw InvalidInput("the space left at the bottom and right must be 0 to half of the image");
     if (options.occlusion_rays < 1 || options.occlusion_rays > 64)
-        throw InvalidInput("the number of occlusion rays must be 1 .. 64");
+        throw InvalidInput("the number of occlusion rays must be 1 to 64");
 }
 
 double to_linear(double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); }
@@ -67,7 +67,9 @@ class Painter {
         for_each_row([&](int y) {
             for (int x = 0; x < options_.width; ++x) hits_[at(x, y)] = look(x + 0.5, y + 0.5);
         });
+        report_progress(options_.progress, 0.1);
         lights_ = gather_light(tracer_, hits_, options_.width, options_.height, options_.occlusion_rays);
+        report_progress(options_.progress, 0.7);
         std::vector<Color> colors(n_pixels(), background_);
         for_each_row([&](int y) {
             for (int x = 0; x < options_.width; ++x) {
@@ -81,6 +83,7 @@ class Painter {
                 image.set(x, y, color.cwiseMax(0).cwiseMin(1).unaryExpr(&to_screen));
             }
         });
+        report_progress(options_.progress, 1);
         return image;
     }
 
@@ -109,7 +112,7 @@ class Painter {
                 body(at(column, row));
     }
 
-    /// Whether one ray is not enough: another object or a clearly other colour next to it.
+    /// Whether one ray is not enough: another object or a clearly other color next to it.
     bool is_edge(const std::vector<Color>& colors, int x, int y) const {
         const std::size_t here = at(x, y);
         bool edge = false;
@@ -184,4 +187,4 @@ Image render(const Scene& scene, const RenderOptions& options) {
     return with_threads(options.n_threads, [&] { return Painter(scene, options).paint(); });
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

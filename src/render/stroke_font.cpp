@@ -5,7 +5,7 @@
 #include <array>
 #include <sstream>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 struct Glyph {
@@ -166,4 +166,4 @@ StrokedText stroke_text(const std::string& text) {
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::render {
 
 /// A text as pen strokes: x to the right from 0, y up from the baseline, capitals 1 high.
 struct StrokedText {
@@ -16,4 +16,4 @@ struct StrokedText {
 };
 StrokedText stroke_text(const std::string& text);
 
-}  // namespace counterpart
+}  // namespace counterpart::render

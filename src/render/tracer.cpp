@@ -13,7 +13,7 @@
 #include <embree3/rtcore.h>
 #endif
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -207,4 +207,4 @@ Color Tracer::color(const Hit& hit) const {
 
 float Tracer::object_size() const { return data_->size; }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <memory>
 
-namespace counterpart {
+namespace counterpart::render {
 
-/// Finds what a ray meets. Safe to use from several threads.
+/// Finds what a ray hits. Safe to use from several threads.
 class Tracer {
   public:
     explicit Tracer(const Scene& scene);
@@ -22,7 +22,7 @@ class Tracer {
         std::uint32_t object = nothing, primitive = 0;
         float u = 0, v = 0;
         Eigen::Vector3f position = Eigen::Vector3f::Zero();
-        Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< smooth, unit, towards the viewer
+        Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< smooth, unit, toward the viewer
         bool inside = false;                               ///< the back of a surface
     };
     /// The first thing seen at (x, y) from z = infinity.
@@ -40,4 +40,4 @@ class Tracer {
     std::unique_ptr<Data> data_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -7,19 +7,21 @@
 
 #include "numerics/product_search.hpp"
 
+#include <counterpart/base/progress.hpp>
+
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::spectral {
 
 /// A surface as ZoomOut sees it: values of its eigenfunctions at some points.
 struct SpectralPoints {
-    MatrixF functions;    // points x K
-    VectorF frequencies;  // K, square roots of the eigenvalues (at unit area)
+    numerics::MatrixF functions;    // points x K
+    numerics::VectorF frequencies;  // K, square roots of the eigenvalues (at unit area)
 
     Index size() const { return static_cast<Index>(functions.rows()); }
 };
 
-/// Point maps in both directions, as numbers of points.
+/// Point maps in both directions, as indices of points.
 struct PairedMaps {
     std::vector<Index> b_from_a, a_from_b;
 };
@@ -27,29 +29,30 @@ struct PairedMaps {
 /// Functional maps in both directions: `a_from_b` (k_A x k_B) takes coefficients of functions on B to those
 /// on A.
 struct PairedFunctionalMaps {
-    MatrixF a_from_b, b_from_a;
+    numerics::MatrixF a_from_b, b_from_a;
 };
 
 /// Least squares C = [Phi_A; Phi_A[q]] \ [Phi_B[p]; Phi_B] with p = b_from_a, q = a_from_b, and its reverse,
-/// for the first k functions of either side; if `masked`, entries far from equal frequency are damped (Hu et
-/// al. 2021).
+/// for the first k functions of each surface; if `masked`, entries far from equal frequency are damped (Hu et
+/// al. 2021). `progress` is called between the products, each O(points k^2).
 PairedFunctionalMaps fit_functional_maps(const SpectralPoints& a, const SpectralPoints& b,
-                                         const PairedMaps& maps, int k, bool masked);
+                                         const PairedMaps& maps, int k, bool masked,
+                                         const Progress& progress = {});
 
 /// Extra coordinates of the points in which partners should be near, already weighted; empty = none.
 struct ExtraCoordinates {
-    MatrixF a, b;
+    numerics::MatrixF a, b;
 };
 
-/// Coordinates whose products, less half the squared lengths, order the neighbours of the full embeddings.
+/// Coordinates whose products, less half the squared lengths, order the neighbors of the full embeddings.
 struct PairCoordinates {
-    MatrixF a, b;
-    VectorF half_a, half_b;
+    numerics::MatrixF a, b;
+    numerics::VectorF half_a, half_b;
 };
 PairCoordinates pair_coordinates(const SpectralPoints& a, const SpectralPoints& b,
                                  const PairedFunctionalMaps& maps, const ExtraCoordinates& extra = {});
 
-/// Nearest neighbours between [Phi_A | Phi_A D^T] and [Phi_B C^T | Phi_B].
+/// Nearest neighbors between [Phi_A | Phi_A D^T] and [Phi_B C^T | Phi_B].
 PairedMaps match_points(const SpectralPoints& a, const SpectralPoints& b, const PairedFunctionalMaps& maps,
                         const ExtraCoordinates& extra = {});
 
@@ -57,4 +60,4 @@ PairedMaps match_points(const SpectralPoints& a, const SpectralPoints& b, const 
 PairedMaps zoom_out(const SpectralPoints& a, const SpectralPoints& b, PairedMaps maps,
                     const std::vector<int>& sizes, bool masked);
 
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -10,7 +10,7 @@
 
 namespace counterpart {
 
-EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions) {
+EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress) {
     if (n_functions < 1) throw InvalidInput("eigen_basis: the number of functions must be at least 1");
     const auto size = static_cast<int>(laplacian.mass.size());
     // The problem is solved at unit area, so that one shift suits every mesh.
@@ -18,12 +18,13 @@ EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions) {
     SparseMatrix mass(size, size);
     mass.reserve(Eigen::VectorXi::Constant(size, 1));
     for (int v = 0; v < size; ++v) mass.insert(v, v) = laplacian.mass[v] / area;
-    Eigenpairs pairs = smallest_eigenpairs(laplacian.stiffness, mass, std::min(n_functions, size), -0.01);
+    numerics::Eigenpairs pairs = numerics::smallest_eigenpairs(laplacian.stiffness, mass,
+                                                               std::min(n_functions, size), -0.01, progress);
     return {pairs.values.cwiseMax(0.0) / area, pairs.vectors / std::sqrt(area), laplacian.mass};
 }
 
-EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions) {
-    return eigen_basis(laplace_beltrami(mesh), n_functions);
+EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions, const Progress& progress) {
+    return eigen_basis(laplace_beltrami(mesh), n_functions, progress);
 }
 
 }  // namespace counterpart

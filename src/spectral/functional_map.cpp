@@ -60,8 +60,8 @@ void require_inputs(const EigenBasis& source, const Eigen::MatrixXd& source_desc
 FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBasis& source,
                              const EigenBasis& target, int k) {
     if (target_from_source.source_size() != source.mass.size() ||
-        target_from_source.target_size != target.mass.size())
-        throw InvalidInput("functional_map: the map is between other meshes than the bases");
+        target_from_source.target_size() != target.mass.size())
+        throw InvalidInput("functional_map: the map and the bases belong to different meshes");
     if (k < 1) throw InvalidInput("functional_map: at least one function is needed");
     const int ks = std::min(k, source.size()), kt = std::min(k, target.size());
     // Eigenfunctions of a larger surface are smaller: both as at unit area.
@@ -130,12 +130,14 @@ VertexMap vertex_map(const FunctionalMap& source_from_target, const EigenBasis& 
     const Eigen::Index ks = source_from_target.rows(), kt = source_from_target.cols();
     if (ks < 1 || kt < 1 || ks > source.size() || kt > target.size())
         throw InvalidInput("vertex_map: the functional map is larger than the bases");
-    const MatrixF x = (source.eigenfunctions.leftCols(ks) * std::sqrt(source.mass.sum())).cast<float>();
-    const MatrixF y =
+    const numerics::MatrixF x =
+        (source.eigenfunctions.leftCols(ks) * std::sqrt(source.mass.sum())).cast<float>();
+    const numerics::MatrixF y =
         (target.eigenfunctions.leftCols(kt) * source_from_target.transpose() * std::sqrt(target.mass.sum()))
             .cast<float>();
-    return {best_partners(x, y, x.rowwise().squaredNorm() / 2, y.rowwise().squaredNorm() / 2).of_row,
-            static_cast<Index>(target.mass.size())};
+    return {
+        numerics::best_partners(x, y, x.rowwise().squaredNorm() / 2, y.rowwise().squaredNorm() / 2).of_row,
+        static_cast<Index>(target.mass.size())};
 }
 
 }  // namespace counterpart

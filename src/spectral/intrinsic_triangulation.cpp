@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 // Heron's formula in Kahan's order, which keeps needles accurate.
@@ -39,7 +39,9 @@ void IntrinsicTriangulation::glue() {
     twins_.assign(n, -1);
     std::vector<Index> order(n);
     std::iota(order.begin(), order.end(), 0);
-    const auto ends = [&](Index h) { return std::minmax(vertices_[at(h)], vertices_[at(next(h))]); };
+    const auto ends = [&](Index h) {
+        return std::minmax(vertices_[to_size(h)], vertices_[to_size(next(h))]);
+    };
     std::sort(order.begin(), order.end(),
               [&](Index a, Index b) { return std::tuple(ends(a), a) < std::tuple(ends(b), b); });
     for (std::size_t first = 0, last = 0; first < n; first = last) {
@@ -47,9 +49,9 @@ void IntrinsicTriangulation::glue() {
         const Index h = order[first];
         if (last - first == 1) continue;
         const Index twin = order[first + 1];
-        if (last - first == 2 && vertices_[at(h)] != vertices_[at(twin)]) {
-            twins_[at(h)] = twin;
-            twins_[at(twin)] = h;
+        if (last - first == 2 && vertices_[to_size(h)] != vertices_[to_size(twin)]) {
+            twins_[to_size(h)] = twin;
+            twins_[to_size(twin)] = h;
         } else {
             ++n_cut_edges_;
         }
@@ -79,7 +81,7 @@ double IntrinsicTriangulation::opposite_cotangent(Index h) const {
 }
 
 bool IntrinsicTriangulation::is_delaunay(Index h) const {
-    const Index twin = twins_[at(h)];
+    const Index twin = twins_[to_size(h)];
     // The tolerance keeps cocircular quadrilaterals from being flipped back and forth.
     return twin < 0 || opposite_cotangent(h) + opposite_cotangent(twin) >= -1e-9;
 }
@@ -87,7 +89,7 @@ bool IntrinsicTriangulation::is_delaunay(Index h) const {
 // Replaces edge a-b of triangles (a, b, c) and (b, a, d) by c-d, in place: (c, d, b) and (d, c, a). Returns
 // the five half-edges, the new edge first.
 std::array<Index, 5> IntrinsicTriangulation::flip(Index h) {
-    const Index t = twins_[at(h)];
+    const Index t = twins_[to_size(h)];
     const Index bc = next(h), ca = next(bc), ad = next(t), db = next(ad);
     const double ab = length(h);
     const auto unfold = [&](double from_a, double from_b) {
@@ -99,33 +101,35 @@ std::array<Index, 5> IntrinsicTriangulation::flip(Index h) {
     const double cd = std::hypot(cx - dx, cy + dy);
     const Index c = origin(ca), d = origin(db), a = origin(h), b = origin(t);
 
-    struct Side {
+    struct GluedEdge {
         double length;
         Index twin;
     };
-    const auto side = [&](Index half_edge) { return Side{length(half_edge), twins_[at(half_edge)]}; };
-    const Side side_bc = side(bc), side_ca = side(ca), side_ad = side(ad), side_db = side(db);
+    const auto side = [&](Index half_edge) {
+        return GluedEdge{length(half_edge), twins_[to_size(half_edge)]};
+    };
+    const GluedEdge side_bc = side(bc), side_ca = side(ca), side_ad = side(ad), side_db = side(db);
     // Triangle of h becomes c -> d -> b, that of t becomes d -> c -> a.
     const Index h1 = next(h), h2 = next(h1), t1 = next(t), t2 = next(t1);
     const std::array<Index, 4> outer{h1, h2, t1, t2};
-    const std::array<Side, 4> sides{side_db, side_bc, side_ca, side_ad};
+    const std::array<GluedEdge, 4> sides{side_db, side_bc, side_ca, side_ad};
     const std::array<Index, 4> was{db, bc, ca, ad};
-    vertices_[at(h)] = c;
-    vertices_[at(h1)] = d;
-    vertices_[at(h2)] = b;
-    vertices_[at(t)] = d;
-    vertices_[at(t1)] = c;
-    vertices_[at(t2)] = a;
-    lengths_[at(h)] = lengths_[at(t)] = cd;
+    vertices_[to_size(h)] = c;
+    vertices_[to_size(h1)] = d;
+    vertices_[to_size(h2)] = b;
+    vertices_[to_size(t)] = d;
+    vertices_[to_size(t1)] = c;
+    vertices_[to_size(t2)] = a;
+    lengths_[to_size(h)] = lengths_[to_size(t)] = cd;
     for (std::size_t i = 0; i < 4; ++i) {
-        lengths_[at(outer[i])] = sides[i].length;
+        lengths_[to_size(outer[i])] = sides[i].length;
         Index twin = sides[i].twin;
         // A side may be glued to another side of the same quadrilateral.
         for (std::size_t j = 0; j < 4 && twin >= 0; ++j) {
             if (sides[i].twin == was[j]) twin = outer[j];
         }
-        twins_[at(outer[i])] = twin;
-        if (twin >= 0) twins_[at(twin)] = outer[i];
+        twins_[to_size(outer[i])] = twin;
+        if (twin >= 0) twins_[to_size(twin)] = outer[i];
     }
     return {h, h1, h2, t1, t2};
 }
@@ -134,11 +138,11 @@ Index IntrinsicTriangulation::make_delaunay() {
     std::vector<Index> stack;
     std::vector<char> waiting(vertices_.size(), 0);
     const auto push = [&](Index h) {
-        const Index twin = twins_[at(h)];
+        const Index twin = twins_[to_size(h)];
         if (twin < 0) return;
         const Index name = std::min(h, twin);
-        if (waiting[at(name)]) return;
-        waiting[at(name)] = 1;
+        if (waiting[to_size(name)]) return;
+        waiting[to_size(name)] = 1;
         stack.push_back(name);
     };
     for (Index h = 0; h < static_cast<Index>(vertices_.size()); ++h) push(h);
@@ -148,7 +152,7 @@ Index IntrinsicTriangulation::make_delaunay() {
     while (!stack.empty() && n_flips < bound) {
         const Index h = stack.back();
         stack.pop_back();
-        waiting[at(h)] = 0;
+        waiting[to_size(h)] = 0;
         if (is_delaunay(h)) continue;
         const std::array<Index, 5> around = flip(h);
         ++n_flips;
@@ -157,4 +161,4 @@ Index IntrinsicTriangulation::make_delaunay() {
     return n_flips;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::spectral

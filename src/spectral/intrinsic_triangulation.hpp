@@ -5,12 +5,14 @@
 // changing the surface.
 #pragma once
 
+#include "base/to_size.hpp"
+
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <array>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::spectral {
 
 class IntrinsicTriangulation {
   public:
@@ -24,15 +26,14 @@ class IntrinsicTriangulation {
     Index n_triangles() const { return static_cast<Index>(vertices_.size() / 3); }
     Index n_cut_edges() const { return n_cut_edges_; }
     /// Half-edge 3 t + i runs from corner i of triangle t to corner i + 1.
-    Index origin(Index half_edge) const { return vertices_[at(half_edge)]; }
-    double length(Index half_edge) const { return lengths_[at(half_edge)]; }
+    Index origin(Index half_edge) const { return vertices_[to_size(half_edge)]; }
+    double length(Index half_edge) const { return lengths_[to_size(half_edge)]; }
     static Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
     double area(Index triangle) const;
     /// Cotangent of the angle opposite to the half-edge.
     double opposite_cotangent(Index half_edge) const;
 
   private:
-    static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
     void glue();
     bool is_delaunay(Index half_edge) const;
     std::array<Index, 5> flip(Index half_edge);
@@ -43,4 +44,4 @@ class IntrinsicTriangulation {
     Index n_cut_edges_ = 0;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -47,16 +47,16 @@ void tie_loose_vertices(Entries& entries, const TriangleMesh& mesh, const Vector
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         if (mass[v] > 0) solid.push_back(v);
     if (solid.size() == static_cast<std::size_t>(mesh.n_vertices())) return;
-    const NearestNeighbors search(mesh.vertices(solid, Eigen::all));
+    const numerics::NearestNeighbors search(mesh.vertices(solid, Eigen::all));
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         if (!(mass[v] > 0))
             add_spring(entries, v,
                        solid[static_cast<std::size_t>(search.closest(mesh.vertices.row(v)).index)], 1);
 }
 
-// A spring of weight w on a piece of mass m gives it a mode "this piece against the rest" of eigenvalue about
-// w / m. Where the surface's own 80 or so lowest modes end (4 pi k, Weyl's law), such modes no longer get in
-// their way.
+// A bridge of weight w to a component of mass m gives a mode "this component against the rest" of eigenvalue
+// about w / m. Where the surface's own 80 or so lowest modes end (4 pi k, Weyl's law), such modes no longer
+// get in their way.
 void add_bridges(Entries& entries, const TriangleMesh& mesh, const std::vector<Piece>& pieces, double area) {
     constexpr double bridge_eigenvalue = 1000;
     constexpr std::size_t springs_per_piece = 3;
@@ -65,7 +65,7 @@ void add_bridges(Entries& entries, const TriangleMesh& mesh, const std::vector<P
     Points anchors(static_cast<Eigen::Index>(largest->vertices.size()), 3);
     for (Eigen::Index i = 0; i < anchors.rows(); ++i)
         anchors.row(i) = mesh.vertices.row(largest->vertices[static_cast<std::size_t>(i)]);
-    const NearestNeighbors search(anchors);
+    const numerics::NearestNeighbors search(anchors);
     for (auto piece = pieces.begin(); piece != pieces.end(); ++piece) {
         if (piece == largest) continue;
         std::vector<std::tuple<double, Index, Index>> nearest;
@@ -91,7 +91,7 @@ LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOption
         throw InvalidInput("laplace_beltrami: mollification must be in [0, 0.1]");
     if (!(surface_area(mesh) > 0))  // mollification would give it some
         throw InvalidInput("the mesh has no area: all its triangles are degenerate");
-    IntrinsicTriangulation surface(mesh);
+    spectral::IntrinsicTriangulation surface(mesh);
     if (options.mollification > 0) surface.mollify(options.mollification);
 
     LaplaceBeltrami result;
@@ -104,7 +104,7 @@ LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOption
         const double third = surface.area(t) / 3;
         for (Index h = 3 * t; h < 3 * t + 3; ++h) {
             result.mass[surface.origin(h)] += third;
-            add_spring(entries, surface.origin(h), surface.origin(IntrinsicTriangulation::next(h)),
+            add_spring(entries, surface.origin(h), surface.origin(spectral::IntrinsicTriangulation::next(h)),
                        surface.opposite_cotangent(h) / 2);
         }
     }

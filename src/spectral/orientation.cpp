@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "spectral/orientation.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/spectral/orientation.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::spectral {
 
 OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis& basis, int size,
                                      int n_coefficients) {
@@ -81,4 +82,4 @@ double orientation_score(const OrientationTensor& a, const OrientationTensor& b,
     return norm > 0 ? product / norm : 0;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-namespace counterpart {
+namespace counterpart::attributes {
 namespace {
 
 // Decides whether an attribute goes on from one triangle to the next.
@@ -56,11 +56,11 @@ CutSurface::CutSurface(const TriangleMesh& mesh, const CornerAttribute& attribut
       across_(3 * static_cast<std::size_t>(mesh.n_triangles()), -1),
       smooth_(across_.size(), 0) {
     const Continuity continuous{mesh, attribute, labels, 1e-6 * range_of(attribute.values)};
-    const EdgeTable edges(mesh);
+    const mesh::EdgeTable edges(mesh);
     for (Index e = 0; e < edges.n_edges(); ++e) {
-        const auto sides = edges.sides(e);
+        const auto sides = edges.half_edges(e);
         for (std::size_t i = 0; i < sides.size() && sides.size() > 1; ++i) {
-            const EdgeTable::Side &here = sides[i], &next = sides[(i + 1) % sides.size()];
+            const mesh::EdgeTable::HalfEdge &here = sides[i], &next = sides[(i + 1) % sides.size()];
             const auto place =
                 3 * static_cast<std::size_t>(here.triangle) + static_cast<std::size_t>(here.corner);
             across_[place] = next.triangle;
@@ -119,8 +119,9 @@ std::vector<Index> CutSurface::reach(std::span<const Index> start, const Eigen::
     return found;
 }
 
-ClosestPoint CutSurface::closest_among(std::span<const Index> triangles, const Eigen::Vector3d& query) const {
-    return counterpart::closest_among(triangles, mesh_.vertices, mesh_.triangles, query);
+numerics::ClosestPoint CutSurface::closest_among(std::span<const Index> triangles,
+                                                 const Eigen::Vector3d& query) const {
+    return numerics::closest_among(triangles, mesh_.vertices, mesh_.triangles, query);
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/fans.hpp"
 #include "numerics/closest_triangle.hpp"
-#include "transfer/fans.hpp"
 
 #include <counterpart/map/surface_map.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
@@ -11,16 +11,16 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::attributes {
 
 /// A surface cut open along the seams of an attribute.
 class CutSurface {
   public:
     CutSurface(const TriangleMesh& mesh, const CornerAttribute& attribute, const std::vector<Index>& labels);
 
-    /// The triangles that hold the point: one, those at an edge, or those around a vertex.
+    /// The triangles that contain the point: one, those at an edge, or those around a vertex.
     std::vector<Index> around(const SurfacePoint& point) const;
-    /// The same point in terms of another triangle that holds it.
+    /// The same point in terms of another triangle that contains it.
     SurfacePoint seen_from(Index triangle, const SurfacePoint& point) const;
     Eigen::Vector3d position(const SurfacePoint& point) const;
 
@@ -29,11 +29,12 @@ class CutSurface {
     /// increasing order; those of `start` always.
     std::vector<Index> reach(std::span<const Index> start, const Eigen::Vector3d& center, double radius,
                              Seams seams) const;
-    ClosestPoint closest_among(std::span<const Index> triangles, const Eigen::Vector3d& query) const;
+    numerics::ClosestPoint closest_among(std::span<const Index> triangles,
+                                         const Eigen::Vector3d& query) const;
 
   private:
     const TriangleMesh& mesh_;
-    Fans fans_;
+    mesh::Fans fans_;
     std::vector<Index> across_;  // [3 t + c]: the next triangle at the edge from corner c, in turn; -1 = none
     std::vector<char> smooth_;   // [3 t + c]: whether there is no seam in between
 };
@@ -41,4 +42,4 @@ class CutSurface {
 /// Whether two lists in increasing order have an element in common.
 bool intersect(std::span<const Index> a, std::span<const Index> b);
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

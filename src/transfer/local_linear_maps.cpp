@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "transfer/local_linear_maps.hpp"
+
+#include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/transfer/fit_transform.hpp>
-#include <counterpart/transfer/local_linear_maps.hpp>
 
 #include <Eigen/SparseCholesky>
 
-namespace counterpart {
+namespace counterpart::morphing {
 
 std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_target,
                                                const TriangleMesh& source, const TriangleMesh& target,
@@ -76,4 +77,4 @@ std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_tar
     return maps;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::morphing

@@ -24,7 +24,7 @@ void require_usable(const TriangleMesh& first, const Points& last, const MorphOp
     require_valid(first);
     if (last.rows() != first.vertices.rows()) {
         throw InvalidInput(
-            fmt::format("the key frames have {} and {} vertices; they must have one connectivity",
+            fmt::format("the key frames have {} and {} vertices; they must have the same connectivity",
                         first.n_vertices(), last.rows()));
     }
     if (!last.allFinite()) throw InvalidInput("the last key frame has a coordinate that is not finite");
@@ -42,7 +42,7 @@ struct SidesAtVertices {
     std::vector<Index> first;
     std::vector<Side> sides;
 
-    SidesAtVertices(const RigidElements& elements, Index n_vertices)
+    SidesAtVertices(const morphing::RigidElements& elements, Index n_vertices)
         : first(static_cast<std::size_t>(n_vertices) + 1, 0) {
         for (const Index v : elements.corners.reshaped()) first[static_cast<std::size_t>(v) + 1] += 2;
         std::partial_sum(first.begin(), first.end(), first.begin());
@@ -61,7 +61,7 @@ struct SidesAtVertices {
 };
 
 // Vertex 0 is held at the origin, so that the matrix is regular.
-SparseMatrix laplacian_without_vertex_0(const RigidElements& elements, Index n_vertices) {
+SparseMatrix laplacian_without_vertex_0(const morphing::RigidElements& elements, Index n_vertices) {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(static_cast<std::size_t>(elements.corners.size()) * 4);
     for (Index t = 0; t < elements.count(); ++t) {
@@ -83,7 +83,7 @@ SparseMatrix laplacian_without_vertex_0(const RigidElements& elements, Index n_v
 
 using ThreeSides = Eigen::Matrix3d;  // one side per row
 
-// A triangle with the given lengths of its sides, in the plane of `like` and turned towards it.
+// A triangle with the given lengths of its sides, in the plane of `like` and turned toward it.
 ThreeSides triangle_with_lengths(const Eigen::Vector3d& lengths, const ThreeSides& like) {
     const Eigen::RowVector3d area = like.row(0).cross(like.row(1));
     if (area.norm() <= 1e-9 * like.row(0).norm() * like.row(1).norm()) return like;
@@ -109,17 +109,17 @@ ThreeSides triangle_with_lengths(const Eigen::Vector3d& lengths, const ThreeSide
 
 }  // namespace
 
-struct Morph::Machinery {
+struct Morph::Impl {
     MorphOptions options;
     Points first, last;  // as given
     Points from, to;     // about the origin, `to` turned onto `from`
     Eigen::RowVector3d first_mean, last_mean;
     Eigen::Vector3d global_turn;  // rotation vector that undoes the turning of `to`
-    RigidElements elements;
+    morphing::RigidElements elements;
     std::unique_ptr<SidesAtVertices> sides;
-    Points turns;                // rotation vector of each element, between `from` and `to`
-    RotationField field;         // the same, softened at folds
-    std::vector<Index> folding;  // elements that were seen to turn over
+    Points turns;                   // rotation vector of each element, between `from` and `to`
+    morphing::RotationField field;  // the same, softened at folds
+    std::vector<Index> folding;     // elements that were seen to turn over
     int rings = 5;
     Eigen::SimplicialLDLT<SparseMatrix> solver;
 
@@ -131,9 +131,9 @@ struct Morph::Machinery {
 };
 
 Morph::Morph(const TriangleMesh& first, const Points& last, const MorphOptions& options)
-    : machinery_(std::make_unique<Machinery>()) {
+    : impl_(std::make_unique<Impl>()) {
     require_usable(first, last, options);
-    Machinery& m = *machinery_;
+    Impl& m = *impl_;
     m.options = options;
     m.first = first.vertices;
     m.last = last;
@@ -141,13 +141,13 @@ Morph::Morph(const TriangleMesh& first, const Points& last, const MorphOptions& 
     m.last_mean = last.colwise().mean();
     m.from = first.vertices.rowwise() - m.first_mean;
     const Points centered = last.rowwise() - m.last_mean;
-    const Eigen::Matrix3d turn = fit_rotation(centered.transpose() * m.from).rotation;
-    m.global_turn = rotation_vector(Eigen::Quaterniond(turn));
+    const Eigen::Matrix3d turn = numerics::fit_rotation(centered.transpose() * m.from).rotation;
+    m.global_turn = numerics::rotation_vector(Eigen::Quaterniond(turn));
     m.to = centered * turn;
     with_threads(options.n_threads, [&] {
-        m.elements = make_rigid_elements({m.from, first.triangles}, m.to);
-        m.turns = rotation_field(m.elements, m.from, m.to);
-        m.field = soften_folds(m.elements, m.turns, m.folding, m.rings);
+        m.elements = morphing::make_rigid_elements({m.from, first.triangles}, m.to);
+        m.turns = morphing::rotation_field(m.elements, m.from, m.to);
+        m.field = morphing::soften_folds(m.elements, m.turns, m.folding, m.rings);
     });
     m.sides = std::make_unique<SidesAtVertices>(m.elements, first.n_vertices());
     if (first.n_vertices() > 1) {
@@ -162,12 +162,12 @@ Morph::Morph(Morph&&) noexcept = default;
 Morph& Morph::operator=(Morph&&) noexcept = default;
 
 // The interpolated sides of each element, in its first pose; three rows per element.
-Points Morph::Machinery::shapes_at(double time) const {
+Points Morph::Impl::shapes_at(double time) const {
     Points shapes(elements.corners.size(), 3);
     parallel_for(count(), grain, [&](std::size_t i) {
         const auto t = static_cast<Index>(i);
         const Eigen::Matrix3d turn =
-            rotation_from_vector(field.vectors.row(t).transpose()).toRotationMatrix();
+            numerics::rotation_from_vector(field.vectors.row(t).transpose()).toRotationMatrix();
         ThreeSides blend;
         Eigen::Vector3d lengths;
         for (int c = 0; c < 3; ++c) {
@@ -181,7 +181,7 @@ Points Morph::Machinery::shapes_at(double time) const {
 }
 
 // The positions whose sides come closest to the turned shapes.
-Points Morph::Machinery::positions(const Frame& rotations, const Points& shapes) const {
+Points Morph::Impl::positions(const Frame& rotations, const Points& shapes) const {
     Points turned(shapes.rows(), 3);
     parallel_for(count(), grain, [&](std::size_t i) {
         const auto row = 3 * static_cast<Eigen::Index>(i);
@@ -205,8 +205,8 @@ Points Morph::Machinery::positions(const Frame& rotations, const Points& shapes)
     return result;
 }
 
-// Rotations follow the positions, but not at folds, where neighbours would drag them over the edge.
-void Morph::Machinery::refit(Frame& rotations, const Points& shapes, const Points& positions) const {
+// Rotations follow the positions, but not at folds, where neighbors would drag them over the edge.
+void Morph::Impl::refit(Frame& rotations, const Points& shapes, const Points& positions) const {
     parallel_for(count(), grain, [&](std::size_t i) {
         if (field.folds[i]) return;
         const auto t = static_cast<Index>(i);
@@ -215,20 +215,20 @@ void Morph::Machinery::refit(Frame& rotations, const Points& shapes, const Point
             covariance.noalias() += elements.side_weights(t, c) * elements.side(positions, t, c).transpose() *
                                     shapes.row(3 * t + c);
         }
-        rotations[i] = follow_rotation(covariance, rotations[i]);
+        rotations[i] = numerics::follow_rotation(covariance, rotations[i]);
     });
 }
 
 Points Morph::at(double time) const {
-    const Machinery& m = *machinery_;
+    const Impl& m = *impl_;
     if (!(time >= 0 && time <= 1)) throw InvalidInput(fmt::format("time must be in 0 .. 1, not {}", time));
     if (time == 0) return m.first;
     if (time == 1) return m.last;
     return with_threads(m.options.n_threads, [&]() -> Points {
-        Machinery::Frame rotations(m.count());
+        Impl::Frame rotations(m.count());
         parallel_for(m.count(), grain, [&](std::size_t i) {
-            rotations[i] =
-                rotation_from_vector(time * m.field.vectors.row(static_cast<Eigen::Index>(i)).transpose());
+            rotations[i] = numerics::rotation_from_vector(
+                time * m.field.vectors.row(static_cast<Eigen::Index>(i)).transpose());
         });
         Points frame = Points::Zero(m.from.rows(), 3);
         if (frame.rows() > 1) {
@@ -240,19 +240,19 @@ Points Morph::at(double time) const {
             }
         }
         frame.rowwise() -= frame.colwise().mean().eval();
-        const Eigen::Matrix3d turn = rotation_from_vector(time * m.global_turn).toRotationMatrix();
+        const Eigen::Matrix3d turn = numerics::rotation_from_vector(time * m.global_turn).toRotationMatrix();
         return (frame * turn.transpose()).rowwise() + ((1 - time) * m.first_mean + time * m.last_mean);
     });
 }
 
-void Morph::soften(const std::vector<Index>& triangles) {
-    Machinery& m = *machinery_;
+void Morph::soften_around(const std::vector<Index>& triangles) {
+    Impl& m = *impl_;
     for (const Index t : triangles) {
         if (t < 0 || t >= m.elements.count()) throw InvalidInput(fmt::format("there is no triangle {}", t));
         if (std::find(m.folding.begin(), m.folding.end(), t) == m.folding.end()) m.folding.push_back(t);
     }
     m.rings += 3;
-    m.field = soften_folds(m.elements, m.turns, m.folding, m.rings);
+    m.field = morphing::soften_folds(m.elements, m.turns, m.folding, m.rings);
 }
 
 std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, int count,
@@ -260,7 +260,7 @@ std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, 
     if (count < 0 || count > 1000000)
         throw InvalidInput(fmt::format("the number of frames must be in 0 .. 1000000, not {}", count));
     constexpr int most_passes = 4;
-    report(progress, 0);
+    report_progress(progress, 0);
     Morph morph(first, last, options);
     std::vector<Points> best;
     std::size_t least_inverted = std::numeric_limits<std::size_t>::max();
@@ -273,15 +273,15 @@ std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, 
                 inverted_triangles(first.triangles, frames.empty() ? first.vertices : frames.back(), frame);
             inverted.insert(inverted.end(), here.begin(), here.end());
             frames.push_back(std::move(frame));
-            report(progress, std::max(0.0, 1 - std::pow(0.3, pass) * (1 - 0.7 * k / (count + 1))));
+            report_progress(progress, std::max(0.0, 1 - std::pow(0.3, pass) * (1 - 0.7 * k / (count + 1))));
         }
         frames.pop_back();
         if (inverted.size() < least_inverted) best = std::move(frames);
         least_inverted = std::min(least_inverted, inverted.size());
         if (inverted.empty()) break;
-        morph.soften(inverted);
+        morph.soften_around(inverted);
     }
-    report(progress, 1);
+    report_progress(progress, 1);
     return best;
 }
 

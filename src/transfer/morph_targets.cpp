@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/harmonic_fill.hpp"
+#include "transfer/local_linear_maps.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/transfer/fill.hpp>
-#include <counterpart/transfer/local_linear_maps.hpp>
-#include <counterpart/transfer/morph_targets.hpp>
+#include <counterpart/transfer/attributes.hpp>
 
 #include <fmt/format.h>
 
 namespace counterpart {
 
-CarriedMorphs carry_morphs(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                           const TriangleMesh& target, const std::vector<MorphTarget>& morphs) {
+TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target,
+                                               const TriangleMesh& source, const TriangleMesh& target,
+                                               const std::vector<MorphTarget>& morphs) {
     require_valid(source_from_target, target.n_vertices(), source.n_triangles());
     for (const MorphTarget& morph : morphs) {
         if (morph.displacements.rows() != source.n_vertices()) {
@@ -20,21 +22,21 @@ CarriedMorphs carry_morphs(const SurfaceMap& source_from_target, const TriangleM
         if (!morph.displacements.allFinite())
             throw InvalidInput(fmt::format("morph '{}' holds a number that is not finite", morph.name));
     }
-    CarriedMorphs result{{}, {.carried = count_matched(source_from_target)}};
-    if (result.coverage.carried == 0) throw InvalidInput("the map matches no vertex");
+    TransferredMorphTargets result{{}, {.transferred = count_matched(source_from_target)}};
+    if (result.coverage.transferred == 0) throw InvalidInput("the map matches no vertex");
     if (morphs.empty()) return result;
-    const std::vector<Eigen::Matrix3d> maps = local_linear_maps(source_from_target, source, target);
+    const std::vector<Eigen::Matrix3d> maps = morphing::local_linear_maps(source_from_target, source, target);
 
     // All morphs side by side, so that one factorization fills them all.
     Matrix moved(target.n_vertices(), 3 * static_cast<Eigen::Index>(morphs.size()));
     for (std::size_t i = 0; i < morphs.size(); ++i) {
         auto columns = moved.middleCols<3>(3 * static_cast<Eigen::Index>(i));
-        columns = pull_back(source_from_target, source, morphs[i].displacements);
+        columns = transfer_values(source_from_target, source, morphs[i].displacements);
         for (Index v = 0; v < target.n_vertices(); ++v)
             columns.row(v) = (columns.row(v) * maps[static_cast<std::size_t>(v)].transpose()).eval();
     }
-    if (result.coverage.carried < target.n_vertices()) {
-        const FillResult filled = fill_from_neighbors(Adjacency(target), moved);
+    if (result.coverage.transferred < target.n_vertices()) {
+        const mesh::FillResult filled = mesh::fill_from_neighbors(Adjacency(target), moved);
         result.coverage.filled = filled.filled;
         result.coverage.guessed = filled.unknown;
         moved = filled.values.array().isNaN().select(0, filled.values);

@@ -6,7 +6,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/transfer/normals.hpp>
+#include <counterpart/transfer/attributes.hpp>
 
 #include <Eigen/Geometry>
 
@@ -30,7 +30,7 @@ Points geometric_normals(const TriangleMesh& mesh, const Triangles& corners, Eig
 std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, const TriangleMesh& source,
                                                const TriangleMesh& target) {
     const Points images = image_positions(map, source);
-    const Matrix normals = pull_back(map, source, vertex_normals(source));
+    const Matrix normals = transfer_values(map, source, vertex_normals(source));
     const Points target_normals = vertex_normals(target);
     const Adjacency adjacency(target);
     std::vector<Eigen::Matrix3d> turns(map.image.size(), Eigen::Matrix3d::Identity());
@@ -45,7 +45,7 @@ std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, const Tria
         }
         const double edges = covariance.norm();
         covariance += edges * target_normals.row(v).transpose() * normals.row(v);
-        const FittedRotation fit = fit_rotation(covariance);
+        const numerics::FittedRotation fit = numerics::fit_rotation(covariance);
         if (fit.rank >= 2) turns[i] = fit.rotation;
     });
     return turns;
@@ -71,16 +71,18 @@ std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, const Triangle
 
 }  // namespace
 
-CarriedCorners carry_normals(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                             const TriangleMesh& target, const CornerAttribute& normals,
-                             const CarryCornersOptions& options) {
+TransferredCorners transfer_normals(const SurfaceMap& source_from_target, const TriangleMesh& source,
+                                    const TriangleMesh& target, const CornerAttribute& normals,
+                                    const TransferCornersOptions& options) {
     if (normals.values.cols() != 3 || normals.corners.rows() != source.n_triangles() ||
         (normals.corners.size() > 0 && normals.corners.maxCoeff() >= normals.values.rows()))
-        throw InvalidInput("the normals do not fit the source: three numbers each, three corners a triangle");
+        throw InvalidInput(
+            "the normals do not fit the source: each needs three coordinates, and each triangle three "
+            "corners");
     // The geometric normals travel beside the given ones, through the same triangles.
     CornerAttribute both{Matrix(normals.values.rows(), 6), normals.corners};
     both.values << normals.values, geometric_normals(source, normals.corners, normals.values.rows());
-    CarriedCorners carried = carry_corners(source_from_target, source, target, both, {}, options);
+    TransferredCorners carried = transfer_corners(source_from_target, source, target, both, {}, options);
     const Matrix values = carried.attribute.values;
     const Points surface = geometric_normals(target, carried.attribute.corners, values.rows());
     const std::vector<Eigen::Matrix3d> turns = with_threads(options.n_threads, [&] {
@@ -96,7 +98,7 @@ CarriedCorners carry_normals(const SurfaceMap& source_from_target, const Triangl
         Eigen::Vector3d normal = given;
         if (defined && !same) {
             const Eigen::Matrix3d& turn = turns[static_cast<std::size_t>(row)];
-            normal = Eigen::Quaterniond::FromTwoVectors(turn * from, to) * (turn * given);
+            normal = numerics::shortest_rotation(turn * from, to) * (turn * given);
         }
         if (std::abs(normal.norm() - 1) > 1e-6) normal.stableNormalize();
         carried.attribute.values.row(row) = normal.transpose();

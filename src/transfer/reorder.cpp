@@ -19,7 +19,7 @@ void require_corners(const Triangles& corners, const TriangleMesh& source, const
     const bool fits =
         corners.rows() == source.n_triangles() &&
         (corners.rows() == 0 || (corners.minCoeff() >= 0 && corners.maxCoeff() / 3 < target.n_triangles()));
-    if (!fits) throw InvalidInput("the map of the corners does not fit the triangles of the meshes");
+    if (!fits) throw InvalidInput("the corner map does not fit the triangles of the meshes");
 }
 
 CornerAttribute in_order(CornerAttribute attribute, const Triangles& from) {

@@ -4,9 +4,9 @@
 
 #include "base/parallel.hpp"
 #include "mesh/disjoint_sets.hpp"
+#include "mesh/fans.hpp"
 #include "numerics/nearest_neighbors.hpp"
 #include "numerics/rotation.hpp"
-#include "transfer/fans.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
 
@@ -16,7 +16,7 @@
 #include <queue>
 #include <tuple>
 
-namespace counterpart {
+namespace counterpart::morphing {
 namespace {
 
 // Half the cotangent of the angle opposite to each side.
@@ -43,8 +43,8 @@ std::vector<Link> links_between(const Components& components, const Points& vert
     if (components.count <= 1) return result;
     const auto count = static_cast<std::size_t>(vertices.rows());
     constexpr int reach = 12;
-    const NearestNeighbors neighbors(vertices);
-    std::vector<std::vector<NearestNeighbors::Neighbor>> near(count);
+    const numerics::NearestNeighbors neighbors(vertices);
+    std::vector<std::vector<numerics::NearestNeighbors::Neighbor>> near(count);
     parallel_for(count, 256, [&](std::size_t v) {
         near[v] = neighbors.closest(vertices.row(static_cast<Eigen::Index>(v)), reach);
     });
@@ -56,7 +56,7 @@ std::vector<Link> links_between(const Components& components, const Points& vert
         }
     }
     std::sort(candidates.begin(), candidates.end());
-    DisjointSets groups(static_cast<Index>(count));
+    mesh::DisjointSets groups(static_cast<Index>(count));
     std::vector<Index> first(static_cast<std::size_t>(components.count), -1);
     for (std::size_t v = 0; v < count; ++v) {
         Index& head = first[static_cast<std::size_t>(components.of_vertex[v])];
@@ -73,7 +73,7 @@ std::vector<Link> links_between(const Components& components, const Points& vert
     std::vector<Index> root;
     for (Index v = 0; v < static_cast<Index>(count); ++v)
         if (groups.root(v) == groups.root(0)) root.push_back(v);
-    const NearestNeighbors nearest_root(Points(vertices(root, Eigen::all)));
+    const numerics::NearestNeighbors nearest_root(Points(vertices(root, Eigen::all)));
     for (Index v = 0; v < static_cast<Index>(count); ++v) {
         const Index w = root[static_cast<std::size_t>(nearest_root.closest(vertices.row(v)).index)];
         link(v, w);
@@ -91,8 +91,8 @@ Eigen::Vector3d nearest_branch(const Eigen::Vector3d& vector, const Eigen::Vecto
 }
 
 // The rotation of one element; rank below 2 where the element has no normal in one of the poses.
-FittedRotation element_rotation(const RigidElements& elements, Index t, const Points& first,
-                                const Points& last) {
+numerics::FittedRotation element_rotation(const RigidElements& elements, Index t, const Points& first,
+                                          const Points& last) {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (int c = 0; c < 3; ++c) {
         covariance +=
@@ -104,7 +104,7 @@ FittedRotation element_rotation(const RigidElements& elements, Index t, const Po
     const Eigen::Matrix3d flat = covariance;
     if (before.norm() > 0 && after.norm() > 0)
         covariance += flat.norm() * after.normalized().transpose() * before.normalized();
-    FittedRotation fit = fit_rotation(covariance);
+    numerics::FittedRotation fit = numerics::fit_rotation(covariance);
     const double sides = elements.side(first, t, 0).norm() * elements.side(first, t, 1).norm();
     const double sides_after = elements.side(last, t, 0).norm() * elements.side(last, t, 1).norm();
     if (before.norm() <= 1e-9 * sides || after.norm() <= 1e-9 * sides_after) fit.rank = 1;
@@ -165,10 +165,10 @@ Points rotation_field(const RigidElements& elements, const Points& first, const 
     Points vectors = Points::Zero(elements.count(), 3);
     std::vector<char> known(count, 0), done(count, 0);
     parallel_for(count, 64, [&](std::size_t t) {
-        const FittedRotation fit = element_rotation(elements, static_cast<Index>(t), first, last);
+        const numerics::FittedRotation fit = element_rotation(elements, static_cast<Index>(t), first, last);
         known[t] = fit.rank >= 2;
         vectors.row(static_cast<Eigen::Index>(t)) =
-            rotation_vector(Eigen::Quaterniond(fit.rotation)).transpose();
+            numerics::rotation_vector(Eigen::Quaterniond(fit.rotation)).transpose();
     });
     Index root = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -178,9 +178,9 @@ Points rotation_field(const RigidElements& elements, const Points& first, const 
             root = t;
         }
     }
-    // Grows from neighbour to neighbour, the smoothest steps first, so that odd elements are reached last and
-    // lead nobody astray.
-    const Fans fans(elements.corners, static_cast<Index>(first.rows()));
+    // Grows from neighbor to neighbor, the smoothest steps first, so that odd elements are reached last and
+    // do not mislead.
+    const mesh::Fans fans(elements.corners, static_cast<Index>(first.rows()));
     using Step = std::tuple<double, Index, Index>;  // difference, element, the one it follows
     std::priority_queue<Step, std::vector<Step>, std::greater<>> steps;
     steps.emplace(0, root, root);
@@ -206,10 +206,11 @@ Points rotation_field(const RigidElements& elements, const Points& first, const 
     return vectors;
 }
 
-// A patch takes the rotation of what surrounds it, harmonically, and bends the rest of its way in that frame.
+// Each region takes the rotation of its surroundings, harmonically extended, and bends the rest in that
+// frame.
 RotationField soften_folds(const RigidElements& elements, Points vectors, const std::vector<Index>& seeds,
                            int rings) {
-    constexpr double largest = 2.5;  // radians; neighbours of a smooth field differ by far less
+    constexpr double largest = 2.5;  // radians; neighbors of a smooth field differ by far less
     constexpr int rounds = 200;
     std::vector<char> in_patch(static_cast<std::size_t>(elements.count()), 0);
     std::vector<Index> patch = seeds;
@@ -221,7 +222,7 @@ RotationField soften_folds(const RigidElements& elements, Points vectors, const 
             in_patch[static_cast<std::size_t>(t)] = 1;
         }
     }
-    const Fans fans(elements.corners, elements.corners.maxCoeff() + 1);
+    const mesh::Fans fans(elements.corners, elements.corners.maxCoeff() + 1);
     for (int ring = 0; ring < rings; ++ring) {
         for (std::size_t i = 0, end = patch.size(); i < end; ++i) {
             for (const Index v : elements.corners.row(patch[i])) {
@@ -248,4 +249,4 @@ RotationField soften_folds(const RigidElements& elements, Points vectors, const 
     return {std::move(vectors), std::move(in_patch)};
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::morphing

@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// A mesh as as-rigid-as-possible energies see it: triangles that want to keep their shape, and the rotation
-// of each between two poses.
+// A mesh for as-rigid-as-possible energies: elements that should keep their shape, and the rotation of each
+// between two poses.
 #pragma once
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::morphing {
 
-/// The triangles of a mesh and, behind them, single edges that join components where they are near each other
-/// (so that eyes stay in their head), written as triangles (a, b, b). Side c of an element goes from its
-/// corner c to corner c + 1.
+/// The triangles of a mesh, followed by single edges that join nearby components (so that eyes stay in their
+/// head), written as triangles (a, b, b). Side c of an element goes from its corner c to corner c + 1.
 struct RigidElements {
     Triangles corners;
     Points side_weights;  ///< not negative; mean about 1
@@ -27,20 +26,20 @@ struct RigidElements {
 /// Weights are the cotangent weights of the two poses' mean, kept within positive bounds.
 RigidElements make_rigid_elements(const TriangleMesh& first, const Points& last);
 
-/// One rotation vector per element (axis times angle, perhaps beyond pi) that turns its sides and its normal
-/// from the first pose into the last as well as can be. Of the vectors that mean the same rotation the one
-/// nearest to a neighbour's is taken, so that the field is as smooth as it can be; elements without a normal
-/// take a neighbour's.
+/// One rotation vector per element (axis times angle, perhaps beyond pi) that best rotates its sides and its
+/// normal from the first pose onto the last. Of the vectors for the same rotation the one nearest to a
+/// neighbor's is taken, so that the field is as smooth as possible; elements without a normal take a
+/// neighbor's.
 Points rotation_field(const RigidElements& elements, const Points& first, const Points& last);
 
 struct RotationField {
     Points vectors;           ///< one per element
     std::vector<char> folds;  ///< 1 where the element has its surroundings' rotation, not its own
 };
-/// Where skin folds over between the poses, no choice of whole turns makes the rotations around the fold
-/// agree. The patches of `rings` rings around such jumps of the field, and around the `seeds`, get the
-/// rotation of what surrounds them instead.
+/// Where the surface folds over between the poses, no choice of full turns makes the rotations around the
+/// fold consistent. The regions of `rings` rings around such jumps of the field, and around the `seeds`, get
+/// the rotation of what surrounds them instead.
 RotationField soften_folds(const RigidElements& elements, Points vectors, const std::vector<Index>& seeds,
                            int rings);
 
-}  // namespace counterpart
+}  // namespace counterpart::morphing

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/harmonic_fill.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/transfer/fill.hpp>
-#include <counterpart/transfer/skin.hpp>
+#include <counterpart/transfer/attributes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,7 @@ std::vector<char> bound_vertices(const TriangleMesh& source, const SkinBinding& 
         if (!bound[v] && component_bound[static_cast<std::size_t>(components.of_vertex[v])]) {
             throw InvalidInput(
                 fmt::format("the skin weights of source vertex {} sum to zero although the "
-                            "part it belongs to is bound to joints: give it a joint",
+                            "component it belongs to is bound to joints: give it a joint",
                             v));
         }
     }
@@ -87,7 +88,8 @@ Influences limited(Influences all, std::size_t limit) {
 }
 
 // Fills the vertices without a match from those around them. Returns what it found about them.
-FillResult fill(const SurfaceMap& map, const TriangleMesh& target, std::vector<Influences>& influences) {
+mesh::FillResult fill(const SurfaceMap& map, const TriangleMesh& target,
+                      std::vector<Influences>& influences) {
     std::map<Index, Index> column;  // of the joints in use
     for (const Influences& all : influences)
         for (const Influence& one : all) column.emplace(one.joint, 0);
@@ -103,7 +105,7 @@ FillResult fill(const SurfaceMap& map, const TriangleMesh& target, std::vector<I
         for (const Influence& one : influences[static_cast<std::size_t>(v)])
             dense(v, column[one.joint]) = one.weight;
     }
-    FillResult result = fill_everywhere(target, dense);
+    mesh::FillResult result = mesh::fill_everywhere(target, dense);
     constexpr double negligible = 1e-6;
     for (Index v = 0; v < target.n_vertices(); ++v) {
         if (map[v].matched()) continue;
@@ -117,8 +119,9 @@ FillResult fill(const SurfaceMap& map, const TriangleMesh& target, std::vector<I
 
 }  // namespace
 
-CarriedSkin carry_skin(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                       const TriangleMesh& target, const SkinBinding& skin, const CarrySkinOptions& options) {
+TransferredSkin transfer_skin(const SurfaceMap& source_from_target, const TriangleMesh& source,
+                              const TriangleMesh& target, const SkinBinding& skin,
+                              const TransferSkinOptions& options) {
     require_valid(source_from_target, target.n_vertices(), source.n_triangles());
     if (options.max_influences < 0 || options.max_influences > 64)
         throw InvalidInput(fmt::format("max_influences must be in 0 .. 64, not {}", options.max_influences));
@@ -130,11 +133,11 @@ CarriedSkin carry_skin(const SurfaceMap& source_from_target, const TriangleMesh&
         if (source_from_target.image[v].matched())
             influences[v] = interpolated(source_from_target.image[v], source, skin);
     }
-    CarriedSkin result;
-    result.coverage.carried = count_matched(source_from_target);
-    if (result.coverage.carried == 0) throw InvalidInput("the map matches no vertex");
-    if (result.coverage.carried < target.n_vertices()) {
-        const FillResult filled = fill(source_from_target, target, influences);
+    TransferredSkin result;
+    result.coverage.transferred = count_matched(source_from_target);
+    if (result.coverage.transferred == 0) throw InvalidInput("the map matches no vertex");
+    if (result.coverage.transferred < target.n_vertices()) {
+        const mesh::FillResult filled = fill(source_from_target, target, influences);
         result.coverage.filled = filled.filled;
         result.coverage.guessed = filled.unknown;
     }

@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/transfer/corner_attribute.hpp>
-#include <counterpart/transfer/morph_targets.hpp>
-#include <counterpart/transfer/normals.hpp>
-#include <counterpart/transfer/skin.hpp>
+#include <counterpart/map/invert.hpp>
+#include <counterpart/map/project.hpp>
+#include <counterpart/transfer/attributes.hpp>
 #include <counterpart/transfer/transfer.hpp>
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 namespace counterpart {
 namespace {
 
-// Carries one thing after another into the result.
+// Transfers one attribute after another into the result.
 struct Transfer {
     const SurfaceMap& map;
     const AttributedMesh& source;
@@ -20,55 +21,57 @@ struct Transfer {
     TransferResult result;
     std::vector<Index> source_triangles;  // of the target's triangles, once known
 
-    template <class Carry>
-    CornerAttribute corners(const std::string& name, const Carry& carry) {
-        CarriedCorners carried;
+    template <class Compute>
+    CornerAttribute corners(const std::string& name, const Compute& compute) {
+        TransferredCorners transferred;
         try {
-            carried = carry();
+            transferred = compute();
         } catch (const InvalidInput& error) {
             throw InvalidInput(name + ": " + error.what());
         }
         result.attributes.push_back({.name = name,
-                                     .coverage = carried.coverage,
-                                     .seam_triangles = carried.seam_triangles,
-                                     .moved_vertices = carried.moved_vertices,
-                                     .without_triangles = carried.without_triangles});
-        if (source_triangles.empty()) source_triangles = std::move(carried.source_from_target);
-        return std::move(carried.attribute);
+                                     .coverage = transferred.coverage,
+                                     .seam_triangles = transferred.seam_triangles,
+                                     .moved_vertices = transferred.moved_vertices,
+                                     .without_triangles = transferred.without_triangles});
+        if (source_triangles.empty()) source_triangles = std::move(transferred.source_from_target);
+        return std::move(transferred.attribute);
     }
     std::vector<CornerAttribute> sets(const std::string& name, const std::vector<CornerAttribute>& all) {
-        std::vector<CornerAttribute> carried;
+        std::vector<CornerAttribute> transferred;
         for (const CornerAttribute& set : all) {
-            const std::string numbered = all.size() == 1 ? name : fmt::format("{} {}", name, carried.size());
-            carried.push_back(corners(numbered, [&] {
-                return carry_corners(map, source.mesh, result.content.mesh, set, source.parts,
-                                     {.n_threads = options.n_threads});
+            const std::string numbered =
+                all.size() == 1 ? name : fmt::format("{} {}", name, transferred.size());
+            transferred.push_back(corners(numbered, [&] {
+                return transfer_corners(map, source.mesh, result.content.mesh, set, source.parts,
+                                        {.n_threads = options.n_threads});
             }));
         }
-        return carried;
+        return transferred;
     }
     void skin() {
-        CarriedSkin carried = carry_skin(map, source.mesh, result.content.mesh, source.skin,
-                                         {.max_influences = options.max_influences});
+        TransferredSkin transferred = transfer_skin(map, source.mesh, result.content.mesh, source.skin,
+                                                    {.max_influences = options.max_influences});
         result.attributes.push_back({.name = "skin weights",
-                                     .coverage = carried.coverage,
-                                     .limited_vertices = carried.limited,
-                                     .unbound_vertices = carried.unbound});
-        result.content.skin = std::move(carried.skin);
+                                     .coverage = transferred.coverage,
+                                     .limited_vertices = transferred.limited,
+                                     .unbound_vertices = transferred.unbound});
+        result.content.skin = std::move(transferred.skin);
     }
     void morphs() {
-        CarriedMorphs carried = carry_morphs(map, source.mesh, result.content.mesh, source.morphs);
-        result.attributes.push_back(
-            {.name = fmt::format("{} morph targets", source.morphs.size()), .coverage = carried.coverage});
-        result.content.morphs = std::move(carried.morphs);
+        TransferredMorphTargets transferred =
+            transfer_morph_targets(map, source.mesh, result.content.mesh, source.morphs);
+        result.attributes.push_back({.name = fmt::format("{} morph targets", source.morphs.size()),
+                                     .coverage = transferred.coverage});
+        result.content.morphs = std::move(transferred.morphs);
     }
     // For each target triangle the source's part that it lies on.
     std::vector<Index> parts() {
         if (source.parts.empty()) return {};
         const CornerAttribute nothing{{}, Triangles::Constant(source.mesh.n_triangles(), 3, -1)};
         if (source_triangles.empty())
-            source_triangles = carry_corners(map, source.mesh, result.content.mesh, nothing, source.parts,
-                                             {.n_threads = options.n_threads})
+            source_triangles = transfer_corners(map, source.mesh, result.content.mesh, nothing, source.parts,
+                                                {.n_threads = options.n_threads})
                                    .source_from_target;
         std::vector<Index> parts;
         for (const Index t : source_triangles) parts.push_back(source.parts[static_cast<std::size_t>(t)]);
@@ -76,31 +79,90 @@ struct Transfer {
     }
 };
 
+// A skeleton is not moved: the target should lie where the source does.
+void warn_of_another_place(TransferResult& result, const SurfaceMap& source_from_target,
+                           const AttributedMesh& source) {
+    constexpr double noticeable = 0.05;  // share of the source's size
+    const Points& target = result.content.mesh.vertices;
+    const Points images = image_positions(source_from_target, source.mesh);
+    double sum = 0;
+    for (Index v = 0; v < source_from_target.source_size(); ++v)
+        if (source_from_target[v].matched()) sum += (images.row(v) - target.row(v)).norm();
+    const Points& vertices = source.mesh.vertices;
+    const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
+    const double share = sum / std::max<Index>(count_matched(source_from_target), 1) / size;
+    if (share > noticeable)
+        result.warnings.push_back(fmt::format(
+            "the target is {:.0f} % of the source's size away from the source on average, but the "
+            "skeleton stays in place: move the target into the source's bind pose and position first",
+            100 * share));
+}
+
 }  // namespace
 
-TransferResult transfer_attributes(const SurfaceMap& source_from_target, const AttributedMesh& source,
-                                   const AttributedMesh& target, const TransferOptions& options) {
-    Transfer transfer{source_from_target, source, options, {target, {}, {}}, {}};
-    AttributedMesh& content = transfer.result.content;
+TransferResult transfer_through_inverse(const AttributedMesh& source, const AttributedMesh& target,
+                                        const SurfaceMap& source_from_target,
+                                        const TransferOptions& options) {
+    require_valid(source_from_target, target.mesh.n_vertices(), source.mesh.n_triangles());
+    Transfer transfer{source_from_target, source, options, {.content = target}, {}};
+    TransferResult& result = transfer.result;
+    result.n_matched = count_matched(source_from_target);
+    AttributedMesh& content = result.content;
     if (options.texture_coordinates && !source.texture_coordinates.empty())
         content.texture_coordinates = transfer.sets("texture coordinates", source.texture_coordinates);
-    if (options.colors && !source.colors.empty()) content.colors = transfer.sets("colours", source.colors);
+    report_progress(options.progress, 0.25);
+    if (options.colors && !source.colors.empty()) content.colors = transfer.sets("colors", source.colors);
+    report_progress(options.progress, 0.4);
     const bool takes_skin = options.skin && source.skin.weights.size() > 0;
     if (takes_skin) transfer.skin();
     if (options.morphs && !source.morphs.empty()) transfer.morphs();
-    if (takes_skin || options.material) transfer.result.source_parts = transfer.parts();
-    if (takes_skin) content.document = source.document;
-    if (takes_skin || (options.material && target.document == nullptr && source.document == nullptr)) {
-        content.parts = transfer.result.source_parts;
-        content.part_names = source.part_names;
-    }
+    report_progress(options.progress, 0.7);
     if (options.normals && source.normals.values.rows() > 0) {
         content.normals = transfer.corners("normals", [&] {
-            return carry_normals(source_from_target, source.mesh, content.mesh, source.normals,
-                                 {.n_threads = options.n_threads});
+            return transfer_normals(source_from_target, source.mesh, content.mesh, source.normals,
+                                    {.n_threads = options.n_threads});
         });
     }
-    return std::move(transfer.result);
+    result.has_materials = options.materials && has_materials(source);
+    const bool takes_labels = options.materials && target.document == nullptr && source.document == nullptr;
+    if (takes_skin || options.materials) result.source_parts = transfer.parts();
+    if (takes_skin || takes_labels) {
+        content.parts = result.source_parts;
+        content.part_names = source.part_names;
+    }
+    if (takes_skin) {
+        content.document = source.document;
+        // The document is the source's now; without its materials the target keeps its own.
+        if (!result.has_materials && (has_materials(source) || has_materials(target)))
+            content = with_materials(content, target, target.parts);
+        warn_of_another_place(result, source_from_target, source);
+    } else if (result.has_materials) {
+        content = with_materials(content, source, result.source_parts);
+    }
+    report_progress(options.progress, 1);
+    return std::move(result);
+}
+
+TransferResult transfer(const AttributedMesh& source, const AttributedMesh& target,
+                        const SurfaceMap& target_from_source, const TransferOptions& options) {
+    constexpr double inverted = 0.5;  // of the work
+    const MapPair maps =
+        with_inverse(target_from_source, source.mesh, target.mesh,
+                     {.n_threads = options.n_threads, .progress = part_of(options.progress, 0, inverted)});
+    TransferOptions rest = options;
+    rest.progress = part_of(options.progress, inverted, 1);
+    return transfer_through_inverse(source, target, maps.source_from_target, rest);
+}
+
+TransferResult transfer(const AttributedMesh& source, const AttributedMesh& target,
+                        const VertexMap& target_from_source, const TransferOptions& options) {
+    constexpr double projected = 0.2;  // of the work
+    const SurfaceMap map =
+        project_map(source.mesh, target.mesh, target_from_source,
+                    {.n_threads = options.n_threads, .progress = part_of(options.progress, 0, projected)});
+    TransferOptions rest = options;
+    rest.progress = part_of(options.progress, projected, 1);
+    return transfer(source, target, map, rest);
 }
 
 }  // namespace counterpart

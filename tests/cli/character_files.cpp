@@ -8,8 +8,8 @@
 //     copy.glb       the same as again.glb, but nothing beside the triangles, none of which share a vertex
 #include "support/character_glb.hpp"
 
-#include <counterpart/io/atomic_file.hpp>
-#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/io/file.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
     }
     try {
         const std::filesystem::path folder = argv[1];
-        Character character = make_character({.subdivisions = 1});
+        test::Character character = test::make_character({.subdivisions = 1});
         write_file(test::character_glb(character), folder / "character.glb");
         character.content = shuffle(character.content, 3).content;
         write_file(test::character_glb(character, {.shuffle_seed = 4, .every_corner_alone = true}),

@@ -32,7 +32,7 @@ expect_status 0 deform source.obj target.off --bend 30 --twist 20 --move --shuff
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"
 expect_status 0 inspect target.off --report report.json
-grep -q 'components  1' out || fail "inspect does not say the components"
+grep -q 'components  1' out || fail "inspect does not count the components"
 python3 -c "import json; r = json.load(open('report.json')); assert r['closed'] and r['components'][0]['genus'] == 0, r"
 
 for format in off obj ply; do expect_status 0 convert source.obj copy.$format -q; done
@@ -70,3 +70,14 @@ grep -q 'texture image 0 is missing: there is no file gone.png' err || fail "the
 expect_status 0 match source.obj target.off --method nearest -o map.npy --report report.json
 python3 -c "import json; assert json.load(open('report.json'))['source_vertices'] > 10000"
 expect_status 2 match source.obj target.off --method nonsense -o map.txt
+
+# ---- Ctrl-C: code 130, and nothing is left behind ----
+expect_status 0 deform body large.off --subdivisions 3 -q
+expect_status 0 deform large.off bent.off --bend 40 --shuffle 3 -q
+"$program" match large.off bent.off --method spectral -o interrupted.txt 2> err &
+sleep 0.7
+kill -INT $!
+status=0
+wait $! || status=$?
+[ $status -eq 130 ] || { cat err; fail "an interrupted match ended with $status, not 130"; }
+[ -z "$(ls | grep interrupted)" ] || fail "an interrupted match left $(ls | grep interrupted)"

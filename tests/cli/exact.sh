@@ -74,13 +74,13 @@ run deform source.off target.off --bend 50 --twist 30 --move --shuffle 5 --truth
 python3 make.py
 
 run match source.off target.off -o map.txt --report report.json
-says "auto: exact, because the two meshes are connected alike"
+says "auto: exact, because the meshes have the same connectivity"
 cmp -s map.txt truth.txt || fail "the map is not the true one"
 for kind in reversed tenth; do
   run match source.off $kind.off -o $kind.txt --method exact
   cmp -s $kind.txt truth.txt || fail "$kind: the map is not the true one"
 done
-says "wound the other way round"
+says "have the opposite winding"
 run match source.off reversed.off -o reversed.txt --method exact
 says "winding is reversed"
 
@@ -102,12 +102,12 @@ refuse "connect" match torus_a.off torus_b.off -o no.txt --method exact
 refuse "share no part" match source.off torus_a.off -o no.txt --method exact
 run deform tetrahedra.off shuffled.off --shuffle 6 --move --truth tetrahedra.txt
 run match tetrahedra.off shuffled.off -o map.txt --method exact
-says "10000 islands of 4 triangles are interchangeable"
+says "10000 components of 4 triangles are interchangeable"
 cmp -s map.txt tetrahedra.txt || fail "tetrahedra: the map is not the true one"
 
 run deform two.off two_target.off --shuffle 7 --move --truth two.txt
 run match two.off two_target.off -o map.txt --method exact --symmetric-alternatives other_ --max-alternatives 30
-says "2 islands of 240 triangles are interchangeable"
+says "2 components of 240 triangles are interchangeable"
 says "automorphisms\|matches are possible"
 [ "$(ls other_*.txt | wc -l)" -eq 30 ] || fail "30 alternatives were asked for"
 
@@ -116,6 +116,6 @@ run reorder two.off two_off.off -o back.off
 cmp -s back.off <("$program" convert two.off copy.off -q; cat copy.off) || fail "reorder did not give back the positions"
 run reorder quads.obj quads.obj -o quads_back.obj
 diff quads.obj quads_back.obj > /dev/null || fail "reorder changed a file that is in order already"
-refuse "not connected alike" reorder source.off torus_a.off -o no.off
+refuse "different connectivity" reorder source.off torus_a.off -o no.off
 [ ! -e no.off ] || fail "a refused reorder left a file"
 echo passed

@@ -127,7 +127,7 @@ says "score"
 python3 - << 'END'
 import json
 r = json.load(open("report.json"))
-assert set(r["stage_seconds"]) >= {"prepare", "candidates", "refine"}, r["stage_seconds"]
+assert set(r["stage_seconds"]) >= {"prepare", "candidates", "selection", "refinement"}, r["stage_seconds"]
 d = r["details"]
 assert len(d["alternatives"]) <= 2 and all("score" in a and a["description"] for a in d["alternatives"]), d
 m, i = (list(map(int, open(f).read().split())) for f in ("map.txt", "inverse.txt"))
@@ -142,7 +142,7 @@ run match body.off pose.off $fast --seed 5 -o seeded.txt
 run match body.off pose.off $fast --symmetric -o mirrored.txt
 ! cmp -s mirrored.txt map.txt || fail "--symmetric changes nothing"
 echo "1 2 3" > bad.txt
-refuse 1 "bad.txt, line 1" match body.off pose.off $fast --landmarks bad.txt -o none.txt
+refuse 1 "bad.txt:1" match body.off pose.off $fast --landmarks bad.txt -o none.txt
 echo "1.5 2" > bad.txt
 refuse 1 "not a vertex number" match body.off pose.off $fast --landmarks bad.txt -o none.txt
 printf '0 0\n1 1\n2 99999999\n' > bad.txt
@@ -154,17 +154,17 @@ run match body.off inside_out.off $fast -o map.txt && says "target: inside out"
 cmp -s map.txt same.txt || fail "an inside-out mesh was not matched with itself"
 run match mirrored.off body.off $fast -o map.txt && says "source: inside out" && says "mirror image"
 cmp -s map.txt same.txt || fail "a reflected mesh was not matched with itself"
-run match mixed.off body.off $fast -o map.txt && says "triangles wound against the others"
+run match mixed.off body.off $fast -o map.txt && says "inconsistently oriented triangle"
 run match body.off holes.off $fast -o map.txt && says "target: open"
-run match seams.off body.off $fast -o map.txt && says "joined"
+run match seams.off body.off $fast -o map.txt && says "duplicate vert"
 run match pieces.off body.off $fast -o map.txt && says "2 components" && says "1 small component"
 run match fins.off body.off $fast -o map.txt && says "more than two triangles" && says "1 vertex in no triangle"
-run match body.off twice.off $fast -o map.txt && says "with the corners of another left out"
+run match body.off twice.off $fast -o map.txt && says "duplicate triangle"
 cmp -s map.txt same.txt || fail "a mesh with repeated triangles was not matched with itself"
-run match ball.off ball.off $fast -o map.txt && says "same from every side"
+run match ball.off ball.off $fast -o map.txt && says "sphere-like"
 run match plane.off plane.off $fast -o map.txt && says "flat"
-run match body.off torus.off $fast -o map.txt && says "may not be the same kind"
-run match dust.off dust.off $fast -o map.txt && says "300 loose pieces"
+run match body.off torus.off $fast -o map.txt && says "may not be comparable"
+run match dust.off dust.off $fast -o map.txt && says "300 components"
 refuse 1 "at least 20 vertices" match cube.off body.off $fast -o none.txt
 refuse 1 "scale it down" match body.off huge.off $fast -o none.txt
 refuse 1 "no area" match body.off needle.off $fast -o none.txt

@@ -115,16 +115,16 @@ END
 # ---- there and back: match, reorder, transfer ----
 run match character.glb copy.glb --method exact -o map.txt
 run transfer character.glb copy.glb --map map.txt -o full.glb --report report.json
-says "vertices carried" && says "triangles at seams"
+says "vertices transferred" && says "triangles at seams"
 compare full.glb again.glb || fail "transferred to the copy it is not what the copy was exported from"
 python3 - << 'END'
 import json
 r = json.load(open("report.json"))
 assert r["matched_vertices"] == r["vertices"] and r["texture"] and r["seconds"]["transfer"] > 0, r
 assert [a["name"] for a in r["attributes"]] == [
-    "texture coordinates", "colours", "skin weights", "3 morph targets", "normals"], r
+    "texture coordinates", "colors", "skin weights", "3 morph targets", "normals"], r
 for a in r["attributes"]:
-    assert a["carried"] == r["vertices"] and a["filled"] == a["guessed"] == a["joint_limited_vertices"] == 0, a
+    assert a["transferred"] == r["vertices"] and a["filled"] == a["guessed"] == a["joint_limited_vertices"] == 0, a
 assert r["attributes"][0]["seam_triangles"] > 0, r
 END
 run reorder character.glb copy.glb -o ordered.glb
@@ -144,7 +144,7 @@ says AssertionError
 
 # ---- one thing after another ----
 run transfer character.glb copy.glb --map map.txt --what none -o same.glb
-says "nothing is carried"
+says "nothing is transferred"
 python3 -c "
 from glb import *
 a, b = Glb('copy.glb'), Glb('same.glb')
@@ -202,7 +202,7 @@ END
 done
 run transfer static.glb character.glb --inverse again.txt --what texture -o clothed.glb
 run transfer character.glb static.glb --map again.txt --what weights -o bound.glb
-run transfer character.glb copy.glb --map map.txt --what weights -o grey.glb
+run transfer character.glb copy.glb --map map.txt --what weights -o gray.glb
 run transfer character.glb body.obj --what uv -o unbound.glb
 python3 - << 'END'
 from glb import *
@@ -218,7 +218,7 @@ for glb in clothed, bound:
     assert glb.json["samplers"][texture["sampler"]] == static.json["samplers"][0]
 worst = largest_difference(bound, Glb("again.glb"))
 assert "SKIN" in worst and max(worst.values()) <= 1e-6, worst
-assert "material" not in Glb("grey.glb").json["meshes"][0]["primitives"][0]
+assert "material" not in Glb("gray.glb").json["meshes"][0]["primitives"][0]
 assert "skins" not in (unbound := Glb("unbound.glb")).json and unbound.image() == character.image()
 assert not any("skin" in node for node in unbound.json["nodes"])
 END
@@ -229,7 +229,7 @@ run match character.glb fine.obj --method nearest -o nearest.txt
 paste -d' ' nearest.txt <(grep '^v ' body.obj) | awk '{ print($4 > 0.85 ? -1 : $1) }' > holes.txt
 grep -q '^-1' holes.txt || fail "no hole was made"
 run transfer character.glb fine.obj --map holes.txt -o fine.glb --joints 2 --report report.json
-says "filled in from their neighbours" && says "limited to fewer joints" && says "moved onto a seam"
+says "filled from their neighbors" && says "limited to fewer joints" && says "moved onto a seam"
 python3 - << 'END'
 from glb import *
 for corners in Glb("fine.glb").triangles():
@@ -242,7 +242,7 @@ for corners in Glb("fine.glb").triangles():
 END
 run deform fine.obj moved.obj --move -q
 run transfer character.glb moved.obj --map nearest.txt -o moved.glb -q
-says "warning: TARGET lies"
+says "warning: the target is"
 
 # ---- what does not fit ----
 cat > spoil.py << 'END'
@@ -266,17 +266,17 @@ END
 python3 spoil.py
 run deform body coarse.obj --subdivisions 0 -q
 run match coarse.obj character.glb --method nearest -o coarse.txt
-refuse 1 "the other way round" transfer character.glb coarse.obj --map coarse.txt -o none.glb
-refuse 1 "are expected, one for each vertex" transfer character.glb fine.obj --map coarse.txt -o none.glb
+refuse 1 "the inverse map" transfer character.glb coarse.obj --map coarse.txt -o none.glb
+refuse 1 "but its source mesh has" transfer character.glb fine.obj --map coarse.txt -o none.glb
 echo "1 2" > bad.txt
 refuse 1 "bad.txt:1: " transfer character.glb copy.glb --map bad.txt -o none.glb
-refuse 1 "a --map is needed" transfer character.glb fine.obj -o none.glb
+refuse 1 "give a map with --map" transfer character.glb fine.obj -o none.glb
 refuse 1 "copy.glb has no weights; it has nothing" transfer copy.glb again.glb --map map.txt --what weights -o none.glb
 refuse 1 "static.glb has no weights; it has colors, uv, normals, morphs, texture" \
   transfer static.glb copy.glb --map map.txt --what colors,weights -o none.glb
 refuse 1 "sum to zero" transfer unbound.glb copy.glb --map map.txt -o none.glb
 refuse 1 "short_morph.glb: .*morph" transfer short_morph.glb copy.glb --map map.txt -o none.glb
 refuse 1 "absent.png" transfer no_texture.glb copy.glb --map map.txt -o none.glb
-refuse 1 ".glb and .gltf files only" transfer character.glb copy.glb --map map.txt -o none.obj
+refuse 1 "only to .glb or .gltf" transfer character.glb copy.glb --map map.txt -o none.obj
 refuse 2 "--what" transfer character.glb copy.glb --map map.txt --what smell -o none.glb
 refuse 2 "--inverse" transfer character.glb copy.glb --map map.txt --inverse map.txt -o none.glb

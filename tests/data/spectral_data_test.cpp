@@ -27,9 +27,9 @@ struct RemeshedPair {
 // The meaning of the template's points on a renumbered mesh.
 VertexMap template_on(const test::DisguisedMesh& mesh, const std::filesystem::path& set,
                       const std::string& name) {
-    VertexMap original = read_vertex_map(set / "corres" / (name + ".vts"), IndexBase::one);
-    original.target_size = mesh.mesh.n_vertices();
-    return compose(original, mesh.mesh_from_original);
+    return compose_maps(
+        read_vertex_map(set / "corres" / (name + ".vts"), IndexBase::one, mesh.mesh.n_vertices()),
+        mesh.mesh_from_original);
 }
 
 void PrintTo(const RemeshedPair& pair, std::ostream* out) {

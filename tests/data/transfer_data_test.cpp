@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "support/data.hpp"
 
-#include <counterpart/evaluation/ground_truth.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/map/complete.hpp>
+#include <counterpart/map/invert.hpp>
+#include <counterpart/map/project.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
-#include <counterpart/transfer/complete_map.hpp>
-#include <counterpart/transfer/invert.hpp>
 #include <counterpart/transfer/morph.hpp>
-#include <counterpart/transfer/project.hpp>
 
 #include <algorithm>
 #include <string>
@@ -47,7 +47,7 @@ double round_trip_error(const TriangleMesh& a, const TriangleMesh& b, const Surf
                         const SurfaceMap& a_from_b) {
     const EigenBasis basis = eigen_basis(a, 21);
     const Matrix functions = basis.eigenfunctions.rightCols(20);
-    const Matrix back = pull_back(b_from_a, b, pull_back(a_from_b, a, functions));
+    const Matrix back = transfer_values(b_from_a, b, transfer_values(a_from_b, a, functions));
     const auto norms = [&](const Matrix& values) {
         return (basis.mass.asDiagonal() * values.cwiseAbs2()).colwise().sum().cwiseSqrt().eval();
     };
@@ -65,9 +65,9 @@ TEST(SurfaceMapOnData, SmoothFunctionsComeBackThroughItsInverse) {
         const GroundTruth truth =
             truth_from_template(read_vertex_map(folder / "corres" / (a_name + ".vts"), IndexBase::one),
                                 read_vertex_map(folder / "corres" / (b_name + ".vts"), IndexBase::one));
-        VertexMap map{std::vector<Index>(static_cast<std::size_t>(a.n_vertices()), VertexMap::unmatched),
-                      b.n_vertices()};
-        for (const auto& [v, w] : truth.pairs) map.image[static_cast<std::size_t>(v)] = w;
+        std::vector<Index> image(static_cast<std::size_t>(a.n_vertices()), VertexMap::unmatched);
+        for (const auto& [v, w] : truth.pairs) image[static_cast<std::size_t>(v)] = w;
+        const VertexMap map(std::move(image), b.n_vertices());
         const MapPair pair = with_inverse(project_map(a, b, map, {.extend = 10}), a, b);
         const SurfaceMap there = complete_map(pair.target_from_source, a, b).target_from_source;
         const SurfaceMap back = complete_map(pair.source_from_target, b, a).target_from_source;

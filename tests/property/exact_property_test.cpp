@@ -6,7 +6,7 @@
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
 
-#include <counterpart/align/rigid.hpp>
+#include <counterpart/align/transform.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -176,6 +176,12 @@ TEST(ExactProperty, TheBentBodyKeepsItsSides) {
     const ExactResult reflected = match_exact(body, mirrored);
     ASSERT_TRUE(reflected.identical);
     EXPECT_FALSE(reflected.mirrored);
+    EXPECT_EQ(reflected.reversed_triangles, 0);
+    // The mirror image of the body is the body itself, so sides are all that changes: twice is once.
+    const ExactResult symmetry = match_exact(body, test::mirrored(body));
+    ASSERT_TRUE(symmetry.identical);
+    for (Index v = 0; v < body.n_vertices(); ++v)
+        EXPECT_EQ(reflected.target_from_source[v], target.mesh_from_original[symmetry.target_from_source[v]]);
 }
 
 TEST(ExactProperty, SwappingTheMeshesInvertsTheMap) {
@@ -190,6 +196,8 @@ TEST(ExactProperty, SwappingTheMeshesInvertsTheMap) {
         EXPECT_LT(distance_after_similarity(source, target.mesh, there.target_from_source), 1e-9);
         EXPECT_LT(distance_after_similarity(target.mesh, source, back.target_from_source), 1e-9);
         EXPECT_EQ(there.automorphisms.number, back.automorphisms.number);
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            EXPECT_EQ(back.target_from_source[there.target_from_source[v]], v);
     }
 }
 

@@ -52,7 +52,7 @@ TEST_F(SpectralProperty, MovedScaledAndRenumbered) {
     huge.vertices *= 1e6;
     const test::DisguisedMesh a = test::shuffled(tiny, 5), b = test::shuffled(huge, 6);
     const VertexMap between = match(a.mesh, b.mesh);
-    expect_unchanged(compose(compose(a.mesh_from_original, between), invert(b.mesh_from_original)));
+    expect_unchanged(compose_maps(compose_maps(a.mesh_from_original, between), invert(b.mesh_from_original)));
 }
 
 TEST_F(SpectralProperty, BothReflectedAndOneInsideOut) {

@@ -67,7 +67,7 @@ struct Glb {
     Json accessor(const Matrix& values, int component, bool bounds = false) {
         std::string bytes;
         for (Eigen::Index i = 0; i < values.size(); ++i)
-            append_number(bytes, static_cast<Number>(values(i / values.cols(), i % values.cols())));
+            io::append_number(bytes, static_cast<Number>(values(i / values.cols(), i % values.cols())));
         const std::map<Eigen::Index, const char*> types = {
             {1, "SCALAR"}, {2, "VEC2"}, {3, "VEC3"}, {4, "VEC4"}, {16, "MAT4"}};
         Json accessor = {{"bufferView", view(bytes)},
@@ -88,11 +88,11 @@ struct Glb {
         std::string text = json.dump(), file = "glTF";
         text.resize((text.size() + 3) / 4 * 4, ' ');
         binary.resize((binary.size() + 3) / 4 * 4, '\0');
-        append_number(file, std::uint32_t{2});
-        append_number(file, static_cast<std::uint32_t>(28 + text.size() + binary.size()));
-        append_number(file, static_cast<std::uint32_t>(text.size()));
+        io::append_number(file, std::uint32_t{2});
+        io::append_number(file, static_cast<std::uint32_t>(28 + text.size() + binary.size()));
+        io::append_number(file, static_cast<std::uint32_t>(text.size()));
         file += "JSON" + text;
-        append_number(file, static_cast<std::uint32_t>(binary.size()));
+        io::append_number(file, static_cast<std::uint32_t>(binary.size()));
         return file + std::string("BIN\0", 4) + binary;
     }
 };
@@ -109,14 +109,14 @@ Matrix colors_at_vertices(const AttributedMesh& content) {
 // A checkerboard that is red in front and blue behind.
 std::string texture_png() {
     constexpr int size = 64;
-    Image image(size, size, Color(0.9, 0.3, 0.3));
+    render::Image image(size, size, render::Color(0.9, 0.3, 0.3));
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const double green = (x / 4 + y / 4) % 2 == 0 ? 0.6 : 0.3;
-            image.set(x, y, x < size / 2 ? Color(0.9, green, 0.3) : Color(0.3, green, 0.9));
+            image.set(x, y, x < size / 2 ? render::Color(0.9, green, 0.3) : render::Color(0.3, green, 0.9));
         }
     }
-    return encode_png(image);
+    return render::encode_png(image);
 }
 
 void add_material(Glb& glb) {
@@ -164,7 +164,7 @@ void add_wave(Glb& glb) {
 void add_attributes(Glb& glb, Json& primitive, const AttributedMesh& content, const SplitVertices& file) {
     Json& attributes = primitive["attributes"];
     attributes["TEXCOORD_0"] = glb.floats(content.texture_coordinates[0].values(file.row, Eigen::all));
-    // Colours are smooth: one for each vertex.
+    // Colors are smooth: one for each vertex.
     attributes["COLOR_0"] = glb.floats(colors_at_vertices(content)(file.vertex, Eigen::all));
     const Matrix joints = content.skin.joints(file.vertex, Eigen::all).cast<double>();
     attributes["JOINTS_0"] = glb.accessor<std::uint8_t>(joints, 5121);

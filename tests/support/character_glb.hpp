@@ -5,7 +5,7 @@
 // checked against another's idea of the format.
 #pragma once
 
-#include <counterpart/mesh/character.hpp>
+#include "support/character.hpp"
 
 #include <string>
 

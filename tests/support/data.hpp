@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -10,10 +9,7 @@
 namespace counterpart::test {
 
 /// The measuring data: environment variable COUNTERPART_DATA, or the folder beside the checkout.
-inline std::filesystem::path data_folder() {
-    const char* named = std::getenv("COUNTERPART_DATA");
-    return named != nullptr ? named : COUNTERPART_DEFAULT_DATA;
-}
+std::filesystem::path data_folder();
 
 }  // namespace counterpart::test
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
 
-#include <counterpart/mesh/disguise.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
 namespace counterpart::test {
 

@@ -20,7 +20,7 @@ struct EditedMesh {
 
 /// Flips `count` edges, no two of which share a triangle.
 EditedMesh with_flipped_edges(const TriangleMesh& mesh, Index count, std::uint64_t seed);
-/// Removes one inner vertex and fills the hole by a fan from one of its neighbours.
+/// Removes one inner vertex and fills the hole by a fan from one of its neighbors.
 EditedMesh without_vertex(const TriangleMesh& mesh, std::uint64_t seed);
 /// Removes that fraction of the triangles; all vertices stay.
 EditedMesh with_missing_triangles(const TriangleMesh& mesh, double fraction, std::uint64_t seed);

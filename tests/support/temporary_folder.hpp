@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 
 #include <filesystem>
 #include <stdexcept>

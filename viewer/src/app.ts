@@ -20,7 +20,7 @@ const truthColor = "#3ddc84";
 const maxMarkers = 50; // of the source vertices that share a target vertex
 const frontierBands = 24;
 
-/** Holds what is shown and brings it to the screen when something changes. */
+/** Holds the state of the page and redraws when it changes. */
 export class App {
   private readonly surfaces: Record<Side, Surface>;
   private readonly stage: Stage;
@@ -30,17 +30,17 @@ export class App {
   private readonly correspondences: Correspondence[];
   private readonly samples: number[];
   private mapIndex = 0;
-  private mode: Mode = "colours";
+  private mode: Mode = "colors";
   private lineCount = 0;
   private morph = 0;
-  private goalMap = -1; // map that the morph's goal was made for
+  private goalMap = -1; // map that the morph's goal was computed for
   private base: number;
   private hovered: Selection | null = null;
   private pinned: Selection | null = null;
   private pointer: { x: number; y: number } | null = null;
   private frame = 0;
   private meshesChanged = false;
-  /** Pictures of the meshes so far. */
+  /** Number of times the meshes were drawn. */
   frames = 0;
 
   constructor(private readonly scene: SceneData) {
@@ -107,7 +107,7 @@ export class App {
     return { ...point, x: point.x + box.left, y: point.y + box.top };
   }
 
-  /** The vertices lit up on both meshes. */
+  /** The vertices marked on both meshes. */
   highlighted(): Record<Side, number[]> {
     const selection = this.hovered ?? this.pinned;
     if (!selection) return { source: [], target: [] };
@@ -121,7 +121,7 @@ export class App {
   measureFrame(): number {
     const start = performance.now();
     this.draw();
-    this.stage.pick(1, 1); // reads a pixel back, and so waits
+    this.stage.pick(1, 1); // reading a pixel back waits for drawing
     return performance.now() - start;
   }
 
@@ -160,7 +160,7 @@ export class App {
     this.requestFrame();
   }
 
-  /** The target as the source's vertices see it, in the source's frame; unmatched vertices follow their neighbours. */
+  /** Positions of the images of the source's vertices, in the source's frame; unmatched vertices follow their neighbors. */
   private morphGoal(): [Float32Array, Float32Array] {
     const { source, target } = this.surfaces;
     const rotation = new Quaternion().fromArray(this.scene.sourceFromTarget);
@@ -179,7 +179,7 @@ export class App {
     return [gather(target.data.positions), gather(target.normals)];
   }
 
-  // ---- colours ----
+  // ---- colors ----
 
   private recolor(): void {
     const { source, target } = this.surfaces;
@@ -195,7 +195,7 @@ export class App {
   private sourceField(): { field: Field | null; top: number; bandWidth: number } {
     const { map } = this.current;
     switch (this.mode) {
-      case "colours":
+      case "colors":
       case "checker":
         return { field: positionField(this.scene.source.positions, map.image), top: 1, bandWidth: 1 };
       case "error": {
@@ -218,7 +218,7 @@ export class App {
     return Math.max(...this.correspondences.filter(({ map }) => map.error).map((c) => c.errorScale()), 1e-6);
   }
 
-  /** About ten cubes along the longest side. */
+  /** Cells of the checkerboard along each axis. */
   private checkerCells(): Vector3 {
     const size = new Vector3().subVectors(...this.sourceBox());
     const longest = Math.max(size.x, size.y, size.z);
@@ -264,7 +264,7 @@ export class App {
     else legend.replaceChildren(...colorLegend());
     const complete =
       this.current.matched === this.scene.source.vertexCount && this.current.covered === this.scene.target.vertexCount;
-    legend.hidden = this.mode === "plain" || ((this.mode === "colours" || this.mode === "checker") && complete);
+    legend.hidden = this.mode === "plain" || ((this.mode === "colors" || this.mode === "checker") && complete);
   }
 
   // ---- drawing ----

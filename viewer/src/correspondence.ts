@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import type { MapData, SceneData } from "./scene_data";
 
-/** A map both ways round, with what can be said of it in a line. */
+/** A map in both directions, with a one-line summary. */
 export class Correspondence {
   private readonly first: Uint32Array;
   private readonly sources: Uint32Array;
@@ -35,7 +35,7 @@ export class Correspondence {
     return Array.from(this.sources.subarray(this.first[target], this.first[target + 1]));
   }
 
-  /** The error below which 98 % of the known errors lie; 1 where all are 0 or none is known. */
+  /** The 98th percentile of the known errors; 1 if all are 0 or none is known. */
   errorScale(): number {
     const known = (this.map.error ?? new Float32Array(0)).filter(Number.isFinite).sort();
     return known[Math.floor(0.98 * (known.length - 1))] || known[known.length - 1] || 1;

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-// A field is what a mesh is coloured by: four numbers per vertex, a value of up to three numbers and whether it is
-// known (1) or not (0).
+// A field colors a mesh: four numbers per vertex, a value of up to three numbers and whether it is known (1) or not
+// (0).
 import type { Topology } from "./topology";
 
 export type Field = Float32Array;
 
-/** Vertices that no source vertex maps to take the mean of their neighbours up to this many edges away. */
+/** Vertices that are not images take the mean of their neighbors, up to this many edges away. */
 export const fillRings = 3;
 
-/** Gives unknown vertices the mean of known neighbours, ring after ring. */
+/** Gives unknown vertices the mean of known neighbors, ring after ring. */
 export function fill(field: Field, topology: Topology, rings: number): void {
   let unknown: number[] = [];
   for (let v = 0; v < field.length / 4; v++) if (field[4 * v + 3] === 0) unknown.push(v);
@@ -39,7 +39,7 @@ export function fill(field: Field, topology: Topology, rings: number): void {
   }
 }
 
-/** The source's field carried to the target: the mean over the source vertices that map to a vertex. */
+/** The source's field transferred to the target: the mean over the source vertices that map to each vertex. */
 export function carry(field: Field, image: Int32Array, target: Topology): Field {
   const carried = new Float32Array(4 * target.mesh.vertexCount);
   for (let v = 0; v < image.length; v++) {
@@ -55,7 +55,7 @@ export function carry(field: Field, image: Int32Array, target: Topology): Field 
   return carried;
 }
 
-/** Positions scaled to 0 .. 1 along each axis; unknown where the map leaves a vertex out. */
+/** Positions scaled to 0 .. 1 along each axis; unknown for unmatched vertices. */
 export function positionField(positions: Float32Array, image: Int32Array): Field {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

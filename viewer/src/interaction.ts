@@ -11,14 +11,14 @@ export interface InteractionEvents {
   release(): void;
 }
 
-const dragThreshold = 5; // pixels that a click may move
+const dragThreshold = 5; // pixels of movement that still count as a click
 
-/** Turning, moving and zooming by mouse, touch and keyboard; hovering and selecting. */
+/** Rotating, panning and zooming by mouse, touch and keyboard; hovering and selecting. */
 export class Interaction {
   linked = true;
   private readonly pointers = new Map<number, { x: number; y: number }>();
   private side: Side = "source";
-  private travelled = 0;
+  private traveled = 0;
 
   constructor(
     private readonly stage: Stage,
@@ -73,7 +73,7 @@ export class Interaction {
     const point = local(event);
     if (this.pointers.size === 0) {
       this.side = this.stage.sideAt(point.x, point.y);
-      this.travelled = 0;
+      this.traveled = 0;
     }
     this.pointers.set(event.pointerId, point);
     this.stage.canvas.setPointerCapture(event.pointerId);
@@ -88,13 +88,13 @@ export class Interaction {
     }
     const dx = now.x - before.x;
     const dy = now.y - before.y;
-    this.travelled += Math.hypot(dx, dy);
+    this.traveled += Math.hypot(dx, dy);
     if (this.pointers.size === 2) {
       const other = [...this.pointers].find(([id]) => id !== event.pointerId)![1];
       const length = (p: { x: number; y: number }) => Math.hypot(p.x - other.x, p.y - other.y);
       this.zoom(length(now) / Math.max(1, length(before)));
       this.shift(dx / 2, dy / 2);
-    } else if (this.travelled > dragThreshold) {
+    } else if (this.traveled > dragThreshold) {
       const isShift = event.shiftKey || (event.buttons & 6) !== 0;
       if (isShift) this.shift(dx, dy);
       else this.turn(0.008 * dx, 0.008 * dy);
@@ -106,7 +106,7 @@ export class Interaction {
     const alone = this.pointers.size === 1;
     if (!this.pointers.delete(event.pointerId)) return;
     const { x, y } = local(event);
-    if (alone && this.travelled <= dragThreshold && event.button === 0) this.events.select(x, y);
+    if (alone && this.traveled <= dragThreshold && event.button === 0) this.events.select(x, y);
   }
 
   private wheel(event: WheelEvent): void {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-/** What the meshes are coloured by; the order is the shader's. */
-export const modes = ["colours", "checker", "error", "frontiers", "plain"] as const;
+/** What the meshes are colored by; the order is the shader's. */
+export const modes = ["colors", "checker", "error", "frontiers", "plain"] as const;
 export type Mode = (typeof modes)[number];
 
 export const modeLabels: Record<Mode, string> = {
-  colours: "Colours",
+  colors: "Colors",
   checker: "Checker",
   error: "Error",
   frontiers: "Frontiers",
@@ -13,10 +13,10 @@ export const modeLabels: Record<Mode, string> = {
 };
 
 export const modeTitles: Record<Mode, string> = {
-  colours: "Each source vertex has a colour by its position; its counterpart has the same",
-  checker: "A checker pattern on the source, carried to the target by the map",
-  error: "Geodesic distance between where the map leads and the truth",
-  frontiers: "Bands of equal edge distance from a source vertex, carried by the map; select a vertex to start there",
+  colors: "Source vertices are colored by position; their images have the same color",
+  checker: "A checkerboard on the source, transferred to the target by the map",
+  error: "Geodesic distance between the image and the true image",
+  frontiers: "Frontiers of a source vertex, transferred by the map; select a vertex to start there",
   plain: "Shape only",
 };
 

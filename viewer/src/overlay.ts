@@ -10,7 +10,7 @@ export interface Line {
 export interface Marker {
   at: ScreenPoint;
   color: string;
-  /** A ring says where the truth is; a disc where the map leads. */
+  /** A ring marks the true image; a disc the image under the map. */
   shape: "disc" | "ring";
 }
 
@@ -65,7 +65,7 @@ export class Overlay {
     this.context.fill();
   }
 
-  /** Outlined in white and black, so that it is seen on every colour; hollow where the surface faces away. */
+  /** Outlined in white and black, so that it is visible on every color; hollow where the surface faces away. */
   private mark({ at, color, shape }: Marker): void {
     const { context } = this;
     const radius = shape === "ring" ? 11 : 6.5;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-// Colours shared by the shader and the legend, as #rrggbb from low to high.
+// Colors shared by the shader and the legend, as #rrggbb from low to high.
 
-/** RdYlBu of ColorBrewer, blue = no error: told apart with any colour vision. */
+/** RdYlBu of ColorBrewer, blue = no error: distinguishable with any color vision. */
 export const errorStops = ["#2c7bb6", "#abd9e9", "#ffffbf", "#fdae61", "#d7191c"];
 /** Viridis. */
 export const levelStops = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"];
@@ -14,7 +14,7 @@ export function toRgb(hex: string): [number, number, number] {
   return [(n >> 16) / 255, ((n >> 8) & 255) / 255, (n & 255) / 255];
 }
 
-/** The colour that the shader gives a point of the position field: readable as a marker's and a line's colour. */
+/** The shader's color for a value of the position field, for markers and lines. */
 export function positionColor(x: number, y: number, z: number): string {
   const channel = (value: number) => Math.round(255 * (0.12 + 0.83 * value));
   return `rgb(${channel(x)} ${channel(y)} ${channel(z)})`;

@@ -19,7 +19,7 @@ export function formatError(error: number): string {
   return Number.isFinite(error) ? `error ${error.toFixed(2)} % of √area` : "on another component";
 }
 
-/** What is said about the selected vertex, for the current map first, then for the others. */
+/** The text about the selected vertex: for the current map first, then for the others. */
 export function describe(
   selection: Selection | null,
   current: Correspondence,
@@ -48,7 +48,7 @@ function imageOf(correspondence: Correspondence, source: number): HTMLElement {
 function truthOf({ map }: Correspondence, source: number, scene: SceneData): string {
   const error = map.error?.[source] ?? NaN;
   const truth = scene.truth?.[source] ?? -1;
-  if (Number.isNaN(error)) return scene.truth && truth < 0 ? "no truth here" : truth >= 0 ? `truth ${truth}` : "";
+  if (Number.isNaN(error)) return scene.truth && truth < 0 ? "no known truth" : truth >= 0 ? `truth ${truth}` : "";
   return error === 0 ? "exact" : `${formatError(error)} · truth ${truth}`;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 // What `counterpart view` put into the page: a small JSON description and one block of little-endian arrays
-// (src/view/viewer_page.cpp writes both).
+// (src/viewer/viewer_page.cpp writes both).
 
 export interface MeshData {
   name: string;
   vertexCount: number;
   triangleCount: number;
-  /** Centred at the middle of the box, divided by half its diagonal; xyz per vertex. */
+  /** Centered at the middle of the box, divided by half its diagonal; xyz per vertex. */
   positions: Float32Array;
   triangles: Uint16Array | Uint32Array;
 }
@@ -44,7 +44,7 @@ interface MeshJson {
 
 function elementText(id: string): string {
   const element = document.getElementById(id);
-  if (!element?.textContent) throw new Error("This page holds no meshes: write it with 'counterpart view'.");
+  if (!element?.textContent) throw new Error("This page contains no meshes: create it with 'counterpart view'.");
   return element.textContent;
 }
 
@@ -76,7 +76,7 @@ export function readScene(): SceneData {
   const json = JSON.parse(elementText("scene"));
   const text = document.getElementById("buffer");
   const buffer = decodeBase64(elementText("buffer"));
-  text?.remove(); // megabytes that nobody reads again
+  text?.remove(); // frees megabytes that are not needed again
   const source = readMesh(json.source, buffer);
   const target = readMesh(json.target, buffer);
   return {

@@ -4,7 +4,7 @@ import { PerspectiveCamera, Quaternion, Vector3, Vector4, WebGLRenderer, WebGLRe
 import type { Selection, Side } from "./modes";
 import type { Surface } from "./surface";
 
-/** How a mesh is looked at: turned about the vertical and the horizontal axis, shifted, and magnified. */
+/** The view of a mesh: rotation about the vertical and the horizontal axis, shift, and zoom. */
 export interface View {
   yaw: number;
   pitch: number;
@@ -31,7 +31,7 @@ const fieldOfView = 28;
 const xAxis = new Vector3(1, 0, 0);
 const yAxis = new Vector3(0, 1, 0);
 
-/** Two meshes on one canvas: beside each other, or one above the other where the canvas is taller than wide. */
+/** Two meshes on one canvas: side by side, or stacked if the canvas is taller than wide. */
 export class Stage {
   readonly views: Record<Side, View> = { source: homeView(), target: homeView() };
   private readonly renderer: WebGLRenderer;
@@ -48,7 +48,7 @@ export class Stage {
     this.renderer.setScissorTest(true);
   }
 
-  /** Takes the canvas' size on the page; false if it is the one it had. */
+  /** Adopts the canvas's size on the page; false if it has not changed. */
   resize(): boolean {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === this.width && height === this.height) return false;
@@ -101,7 +101,7 @@ export class Stage {
     };
   }
 
-  /** The vertex nearest to a point of the canvas, of the triangle seen there. */
+  /** The vertex nearest to a point of the canvas, among the corners of the triangle visible there. */
   pick(x: number, y: number): Selection | null {
     const side = this.sideAt(x, y);
     const corner = this.cornerAt(side, x, y);
@@ -113,7 +113,7 @@ export class Stage {
       screen.set(vertex, known);
       return known;
     };
-    // The picture tells one corner of the triangle; the triangle is one of those around it.
+    // The picked pixel gives one corner of the triangle, which is one of those around that corner.
     let best = corner;
     let bestDistance = Infinity;
     for (let i = topology.first[corner]; i < topology.first[corner + 1]; i++) {
@@ -129,7 +129,7 @@ export class Stage {
     return { side, vertex: best };
   }
 
-  /** Draws one pixel of vertex numbers and reads it: the cost does not depend on how the mesh is folded. */
+  /** Draws one pixel of vertex indices and reads it: visibility is decided by the depth buffer. */
   private cornerAt(side: Side, x: number, y: number): number | null {
     const { left, top, width, height } = this.rectangle(side);
     this.aim(side);

@@ -7,7 +7,7 @@ import type { MeshData } from "./scene_data";
 import { pickFragmentShader, pickVertexShader, surfaceFragmentShader, surfaceVertexShader } from "./shaders";
 import { Topology } from "./topology";
 
-/** One mesh on the graphics card, with what it is coloured by and where it morphs to. */
+/** One mesh on the graphics card, with its field and the goal of its morph. */
 export class Surface {
   readonly topology: Topology;
   readonly normals: Float32Array;
@@ -21,7 +21,7 @@ export class Surface {
 
   constructor(
     readonly data: MeshData,
-    /** Turns the mesh upright, before any turning by hand. */
+    /** Rotates the mesh upright, before any rotation by hand. */
     readonly upright: Quaternion,
   ) {
     this.topology = new Topology(data);
@@ -55,7 +55,7 @@ export class Surface {
     this.scene.add(this.object);
   }
 
-  /** Colours the mesh. `cells`: number of checker cells along each axis. */
+  /** Colors the mesh. `cells`: number of checker cells along each axis. */
   show(mode: Mode, field: Field | null, top: number, bandWidth: number, cells: Vector3): void {
     if (field) this.geometry.setAttribute("field", new BufferAttribute(field, 4));
     const uniforms = this.shading.uniforms;
@@ -84,7 +84,7 @@ export class Surface {
     return result;
   }
 
-  /** Runs `draw` with vertex numbers in place of colours. */
+  /** Runs `draw` with vertex numbers in place of colors. */
   whilePicking(draw: () => void): void {
     this.object.material = this.picking;
     draw();

@@ -17,7 +17,7 @@ export class Topology {
     for (let i = 0; i < triangles.length; i++) this.incident[next[triangles[i]]++] = (i / 3) | 0;
   }
 
-  /** Calls `visit` for each corner of the triangles around a vertex; neighbours come more than once. */
+  /** Calls `visit` for each corner of the triangles around a vertex; neighbors come more than once. */
   forEachNeighbor(vertex: number, visit: (neighbor: number) => void): void {
     const { triangles } = this.mesh;
     for (let i = this.first[vertex]; i < this.first[vertex + 1]; i++) {
@@ -44,7 +44,7 @@ export class Topology {
     return level;
   }
 
-  /** A vertex at an end of the largest piece that two searches find. */
+  /** A vertex at an end of the largest component, found by two searches. */
   extremity(): number {
     let best = 0;
     let bestLevel = -1;

@@ -9,7 +9,7 @@ import { after, before, test } from "node:test";
 import { launch, open } from "./browser.js";
 import { program, writePage, writePair } from "./pair.js";
 
-const modes = ["colours", "checker", "error", "frontiers", "plain"];
+const modes = ["colors", "checker", "error", "frontiers", "plain"];
 const pair = writePair(70, 32);
 const screenshots = process.env.SCREENSHOTS ?? join(pair.folder, "screenshots");
 mkdirSync(screenshots, { recursive: true });
@@ -45,7 +45,7 @@ async function stagePicture(page, name) {
   return page.screenshot({ path: join(screenshots, `${name}.png`) });
 }
 
-/** Colour of a pixel of the overlay. */
+/** Color of a pixel of the overlay. */
 const overlayPixel = (page, at) =>
   page.evaluate(({ x, y }) => {
     const canvas = document.getElementById("overlay");

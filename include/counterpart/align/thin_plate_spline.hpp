@@ -12,10 +12,10 @@ namespace counterpart {
 class ThinPlateSpline {
   public:
     /// The spline of least sum of |f(controls_a) - images_a|^2 + regularization * bending energy. `controls`
-    /// and `images`: K x D, D = 2 or 3, K >= 1; `regularization` >= 0, 0 interpolates. Controls on a line or
-    /// plane are allowed (what they leave open is left as it is, as far as they allow). Throws InvalidInput
-    /// for other sizes, values that are not finite, or coincident controls without regularization and with
-    /// different images. O(K^3).
+    /// and `images`: K x D, D = 2 or 3, K >= 1; `regularization` >= 0, 0 interpolates. Controls may lie on a
+    /// line or in a plane: directions that they do not determine stay as close to the identity as possible.
+    /// Throws InvalidInput for other sizes, values that are not finite, or coincident controls with different
+    /// images and no regularization. O(K^3).
     ThinPlateSpline(const Matrix& controls, const Matrix& images, double regularization = 0);
 
     /// From its parts: controls K x D, affine (D + 1) x D with the translation in row 0, weights K x D.

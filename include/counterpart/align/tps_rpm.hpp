@@ -7,11 +7,11 @@
 
 namespace counterpart {
 
-/// Temperatures are in squared units of the input; the weights are free of units (the points are scaled to
-/// unit extent inside).
+/// Temperatures are in squared units of the input; the weights have no unit (points are scaled to unit extent
+/// internally).
 struct TpsRpmOptions {
     double initial_temperature = 0;      ///< 0 = the largest squared distance between the two sets
-    double final_temperature = 0;        ///< 0 = 0.1 x the mean squared nearest-neighbour distance
+    double final_temperature = 0;        ///< 0 = 0.1 x the mean squared nearest-neighbor distance
     double annealing_rate = 0.93;        ///< temperature factor per step, in (0, 1)
     int iterations_per_temperature = 5;  ///< alternations of assignment and spline, at least 1
     int sinkhorn_iterations = 10;        ///< rounds of normalization per assignment, at least 1
@@ -28,9 +28,9 @@ struct TpsRpmResult {
     ThinPlateSpline transform;     ///< target from source
     Matrix transformed;            ///< N x D, the source points under `transform`
     Matrix soft_assignment;        ///< N x M, rows and columns sum to at most 1; the rest is outlier
-    double final_temperature = 0;  ///< where the annealing ended
+    double final_temperature = 0;  ///< at which annealing ended
     int iterations = 0;            ///< alternations done
-    bool converged = false;        ///< the assignment became hard, or no point moved any more at the end
+    bool converged = false;        ///< the assignment became hard, or no point moved at the end
 };
 
 /// Robust point matching with a thin-plate spline: H. Chui and A. Rangarajan, "A new point matching algorithm

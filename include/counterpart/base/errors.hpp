@@ -11,12 +11,17 @@ struct InvalidInput : std::invalid_argument {
     using invalid_argument::invalid_argument;
 };
 
+/// A valid mesh that this method cannot handle (too few vertices, no area); another method may.
+struct UnsuitableMesh : InvalidInput {
+    using InvalidInput::InvalidInput;
+};
+
 /// A file cannot be read or written; the message names the file, the line where there is one, and the reason.
 struct IoError : std::runtime_error {
     using runtime_error::runtime_error;
 };
 
-/// A computation on valid input broke down (singular system, no convergence where there must be).
+/// A computation on valid input failed (singular system, no convergence).
 struct NumericalError : std::runtime_error {
     using runtime_error::runtime_error;
 };

@@ -8,8 +8,8 @@
 
 namespace counterpart {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): the same sequence from the same seed with every compiler and
-/// library, which the distributions of <random> do not promise.
+/// SplitMix64 (Steele, Lea, Flood 2014): one seed gives the same sequence with every compiler and standard
+/// library, which the distributions of <random> do not guarantee.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -10,11 +10,11 @@
 /// Which point of mesh B is this point of mesh A?
 namespace counterpart {
 
-/// A vertex or triangle number, counted from 0.
+/// A 0-based vertex or triangle index.
 using Index = std::int32_t;
 /// N x 3 coordinates, row-major: what NumPy and graphics buffers hold.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// M x 3 vertex numbers, row-major.
+/// M x 3 vertex indices, row-major.
 using Triangles = Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// Row-major dense matrix.
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -7,14 +7,14 @@
 
 namespace counterpart {
 
-/// What can be said of a map without knowing the truth.
+/// The quality of a map as far as it can be measured without ground truth.
 struct MapQuality {
     Index n_matched = 0;   ///< source vertices with an image
-    Index n_distinct = 0;  ///< different target vertices among the images
+    Index n_distinct = 0;  ///< distinct target vertices among the images
     double coverage = 0;   ///< n_distinct / target vertices
-    /// Shares of the source's edges with both ends matched (0 if there are none): whose images share an edge
-    /// of the target, and whose images are one vertex. Between meshes of the same connectivity the first is 1
-    /// for the true map and follows the share of right vertices.
+    /// Of the source's edges with both ends matched, the fraction whose ends map to the two ends of a target
+    /// edge, and the fraction whose ends map to one vertex; 0 if there are none. Between meshes of the same
+    /// connectivity the former is 1 for the true map and decreases with the number of wrong vertices.
     double preserved_edges = 0, collapsed_edges = 0;
 };
 

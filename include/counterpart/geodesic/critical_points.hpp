@@ -9,20 +9,20 @@
 namespace counterpart {
 
 struct CriticalPointOptions {
-    Index n_bases = 64;  ///< sample that distances are averaged over and embedded with, at least 4
-    /// Smallest prominence that counts, as a share of the component's smallest average distance; at least 0.
-    /// Lower values bring more and finer tips.
+    Index n_bases = 64;  ///< farthest-point samples for averages and the embedding, at least 4
+    /// Least prominence that counts, as a fraction of the component's smallest average distance; at least 0.
+    /// Lower values give more, finer points.
     double min_prominence = 0.02;
-    int n_threads = 0;  ///< 0 = all; the result does not depend on it
+    int n_threads = 0;  ///< 0 = all; does not change the result
     Progress progress{};
 };
 
 struct CriticalPoints {
     std::vector<Index> vertices;  ///< the most prominent first
-    /// How far the average distance must fall from each before it can rise to a greater one, as a share of
-    /// the component's smallest average distance.
+    /// How far the average distance must fall on the way from each to a greater maximum, as a fraction of the
+    /// component's smallest average distance.
     std::vector<double> prominence;
-    Vector average_distance;  ///< per vertex, mesh units; infinite in components without a base
+    Vector average_distance;  ///< per vertex, mesh units; infinite in components without a sample
 };
 
 /// The tips of a surface (its feature points), after Katz, Leifman and Tal 2005: vertices where the average

@@ -9,6 +9,10 @@
 
 namespace counterpart {
 
+namespace geodesic {
+class Dijkstra;
+}
+
 struct DistanceGraphOptions {
     /// Also link the two vertices opposite to an edge by the straight line through the two unfolded
     /// triangles, where that line crosses the edge (the short-cut edges of Hilaga et al. 2001). Paths are
@@ -16,10 +20,9 @@ struct DistanceGraphOptions {
     bool shortcuts = true;
 };
 
-/// The network that graph distances on a mesh are measured on: its vertices, linked along edges and
-/// shortcuts, in compressed rows. At a non-manifold edge every pair of its triangles is unfolded. Keeps no
-/// reference to the mesh; safe to search on several threads at once. About 150 bytes a vertex. Built in O((V
-/// + F) log V).
+/// The graph on which distances on a mesh are measured: its vertices, linked along edges and shortcuts, in
+/// compressed rows. At a non-manifold edge every pair of its triangles is unfolded. Keeps no reference to the
+/// mesh; safe to search on several threads at once. About 150 bytes per vertex. Built in O((V + F) log V).
 class DistanceGraph {
   public:
     /// Throws InvalidInput for an invalid mesh, or one so large or small that squared lengths leave the range
@@ -27,7 +30,7 @@ class DistanceGraph {
     explicit DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOptions& options = {});
 
     Index n_vertices() const { return static_cast<Index>(first_.size()) - 1; }
-    /// Links counted once for both directions. A pair may be linked twice; the shorter link counts.
+    /// Number of undirected links. A pair may be linked twice; the shorter link counts.
     std::size_t n_links() const { return to_.size() / 2; }
 
     struct Link {
@@ -35,11 +38,11 @@ class DistanceGraph {
         double length = 0;
         auto operator<=>(const Link&) const = default;
     };
-    /// The links of a vertex, by their far end. O(valence log valence); searches use faster access.
+    /// The links of a vertex, sorted by their far end. O(valence log valence); searches use faster access.
     std::vector<Link> links(Index vertex) const;
 
   private:
-    friend class Dijkstra;
+    friend class geodesic::Dijkstra;
     struct UndirectedLink {
         Index a = 0, b = 0;
         double length = 0;
@@ -47,7 +50,7 @@ class DistanceGraph {
     void fill_rows(const std::vector<UndirectedLink>& links);
     void choose_buckets();
 
-    // Vertices are renumbered along a space-filling curve, so that a search finds its neighbourhood in the
+    // Vertices are renumbered along a space-filling curve, so that a search finds its neighborhood in the
     // cache: everything below is in ranks.
     std::vector<Index> rank_of_vertex_, vertex_of_rank_;
     std::vector<Index> first_;  // row r is first_[r] .. first_[r + 1]

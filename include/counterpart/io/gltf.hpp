@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/io/file.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
 #include <filesystem>
@@ -10,20 +11,22 @@
 
 namespace counterpart {
 
-/// The surface of a glTF file. Vertices that were split for seams, being equal in position, skin and morphs
-/// within one mesh, are one vertex again.
+/// The mesh of a glTF file. Vertices that were split at seams, being equal in position, skin and morphs
+/// within one glTF mesh, are merged again.
 struct GltfFile {
     AttributedMesh content;
-    std::vector<Index> vertex_from_file;  ///< of each file vertex, all primitives in order, the welded number
-    std::vector<std::string> notices;     ///< sentences for the user
+    std::vector<Index>
+        vertex_from_file;              ///< for each file vertex, all primitives in order, its merged vertex
+    std::vector<std::string> notices;  ///< sentences for the user
 };
 
 /// Reads glTF 2.0, text (.gltf, with its buffers beside it or inside) or binary (.glb): the triangles of all
 /// meshes, each where the first node of the scene that holds it puts it (skinned ones as they are bound).
 /// Triangle strips and fans are cut into triangles; points and lines are left out with a notice. Throws
 /// IoError naming the file, the element and the reason, also for what is not supported: glTF 1.0, compressed
-/// meshes (Draco, meshopt).
-GltfFile read_gltf(const std::filesystem::path& file);
+/// meshes (Draco, meshopt). Buffers and images come from the file itself or from its folder and below, unless
+/// `options` allow others. The memory it takes is bounded by the size of the file.
+GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes glTF 2.0: one .glb, or one .gltf with its data inside. What `content.document` holds comes along,
 /// textures beside it included, and what did not change in it keeps its accessors byte for byte; the rest is

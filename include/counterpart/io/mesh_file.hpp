@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/io/file.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <filesystem>
@@ -10,22 +12,38 @@
 
 namespace counterpart {
 
-/// A mesh as read, with what the reader had to do to it.
+/// A mesh as read, and what the reader changed.
 struct MeshFile {
-    TriangleMesh
-        mesh;  ///< vertex order and count exactly as in the file (STL: welded by position; glTF: at seams)
+    /// Vertex order and count exactly as in the file (STL: welded by position; glTF: at seams).
+    TriangleMesh mesh;
     std::vector<std::string> notices;  ///< sentences for the user: polygons triangulated, STL welded, ...
 };
 
 /// Reads OFF, OBJ, PLY (text and binary), STL (text and binary) or glTF 2.0 (.glb, .gltf; see io/gltf.hpp),
-/// chosen by the file's extension.
-/// Throws IoError naming the file, the line (text formats) and the reason, also for meshes that require_valid
-/// refuses.
-MeshFile read_mesh(const std::filesystem::path& file);
+/// chosen by the file's extension. Throws IoError naming the file, the line (text formats) and the reason,
+/// also for meshes that require_valid rejects.
+MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes OFF, OBJ, PLY (binary little-endian), STL (binary) or glTF, chosen by the extension. Text formats
 /// hold the shortest decimals that read back to the same doubles; PLY holds doubles; STL and glTF hold
 /// floats. The file appears whole or not at all. Throws IoError.
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
+
+/// A mesh with its attributes as read, and what the reader changed.
+struct AttributedMeshFile {
+    AttributedMesh content;
+    std::vector<std::string> notices;  ///< sentences for the user
+};
+
+/// Reads a mesh with the attributes that its format holds. glTF: everything (see io/gltf.hpp). OBJ: texture
+/// coordinates and normals per corner, vertex colors, material names. PLY: normals, colors and texture
+/// coordinates per vertex (s t, u v, texture_u texture_v), texture coordinates also per corner (texcoord).
+/// Other formats: only triangles. Vertices and triangles are those of read_mesh. Throws IoError.
+AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// Writes what the format given by the extension can hold and drops the rest, as well as colors (OBJ, PLY)
+/// and normals (PLY) that differ between corners of one vertex. The file appears whole or not at all. Throws
+/// IoError.
+void write_attributed_mesh(const AttributedMesh& content, const std::filesystem::path& file);
 
 }  // namespace counterpart

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -13,34 +14,37 @@
 namespace counterpart {
 
 struct ExactOptions {
-    /// Let geometry also choose among matches that turn every island over. They are used without this where
-    /// nothing else fits (the target's winding is reversed).
+    /// Let geometry also choose among orientation-reversing matches. They are used without this where nothing
+    /// else fits (the target's winding is reversed).
     bool allow_mirror = false;
     /// First weld vertices of each mesh that are no further apart than this, in mesh units; negative: no
     /// welding. Every duplicate gets a partner of its own where the corners tell.
     double weld_distance = -1;
     /// How many of the other matches that a symmetric mesh has to return, best first; at least 0.
     Index max_alternatives = 0;
+    int n_threads = 0;    ///< 0: all that the machine has. The result does not depend on it
+    Progress progress{};  ///< called between steps; may stop the match
 };
 
-/// How many ways there are.
+/// A number of matches.
 struct Count {
     double log10 = 0;                     ///< of the number; -infinity for none
-    std::optional<std::uint64_t> number;  ///< absent from 2^64 on
+    std::optional<std::uint64_t> number;  ///< absent from 10^13 on
     bool is_lower_bound = false;          ///< the search was cut short: there may be more
 };
 /// "12", "about 10^35659", "at least 4096".
 std::string to_string(const Count& count);
 
-/// Islands of the source with the same connectivity: only geometry tells which is which.
-struct EqualIslands {
-    Index n_triangles = 0;              ///< of each island
-    std::vector<Index> source, target;  ///< smallest vertex of each island; target[i] is source[i]'s partner
+/// Components of the source with the same connectivity: only geometry tells which is which.
+struct EqualComponents {
+    Index n_triangles = 0;  ///< of each component
+    std::vector<Index> source,
+        target;  ///< smallest vertex of each component; target[i] is source[i]'s partner
 };
 
-/// Which way the connectivity was walked.
+/// How the connectivity was taken apart.
 enum class ExactPath {
-    surface,  ///< every edge has one or two triangles: islands are matched one by one
+    surface,  ///< every edge has one or two triangles: components are matched one by one
     patches,  ///< cut open along non-manifold edges or vertices; patches are matched so that what they share
               ///< agrees
 };
@@ -56,27 +60,25 @@ struct ExactResult {
     Triangles target_corner_from_source;
 
     ExactPath path = ExactPath::surface;
-    Index n_islands = 0;  ///< pieces connected through manifold edges
-    std::vector<EqualIslands> interchangeable;
+    Index n_components = 0;  ///< connected through manifold edges
+    std::vector<EqualComponents> interchangeable;
     Count automorphisms;                  ///< of the source, orientation-preserving, with the identity
     Count mirror_automorphisms;           ///< of the source, orientation-reversing
-    Index reversed_triangles = 0;         ///< wound the other way round in the target
+    Index reversed_triangles = 0;         ///< in opposite winding in the target
     bool winding_reversed = false;        ///< all of them: the target's winding is reversed as a whole
     bool mirrored = false;                ///< a mirror match was chosen, which only allow_mirror permits
     std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
 
-    /// Root mean squares, in the target's units, after scaling to the target's mean edge length and after the
-    /// best similarity.
-    double length_difference = 0, rigid_distance = 0;
     std::vector<std::string> notices;  ///< all of the above that a person should know, as sentences
 };
 
 /// Matches meshes with the same connectivity whatever their numbering, winding, pose, genus, borders and
-/// number of pieces. Islands are taken as combinatorial maps: an isomorphism is fixed by the image of one
-/// half-edge, chosen of the rarest colour, and checked by a simultaneous walk. Where symmetry or equal
-/// islands leave a choice, edge lengths make it first, then distance after the best similarity. Isolated
-/// vertices are paired by position. O(V + F) unless most walks fail late. Throws InvalidInput for invalid
-/// meshes, and NumericalError where patches of a non-manifold mesh fit in more ways than can be searched.
+/// number of components. On a component an isomorphism is fixed by the image of one half-edge, chosen of the
+/// rarest color (Weisfeiler-Leman), and checked by a simultaneous traversal. Where symmetry or equal
+/// components leave a choice, edge lengths make it first, then distance after the best similarity. Isolated
+/// vertices are paired by position. O(V + F) unless most traversals fail late. Throws InvalidInput for
+/// invalid meshes or options, Canceled, and NumericalError where patches of a non-manifold mesh fit in more
+/// ways than can be searched.
 ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target,
                         const ExactOptions& options = {});
 

@@ -2,22 +2,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 namespace counterpart {
 
+/// How the meshes are aligned before the closest vertices are taken.
+enum class NearestAlignment {
+    centroids,   ///< the means of the vertices coincide
+    similarity,  ///< the best similarity that icp_from_principal_axes finds
+};
+
 struct NearestOptions {
-    int n_threads = 0;  ///< 0 = all; the result does not depend on it
+    NearestAlignment alignment = NearestAlignment::centroids;
+    int n_threads = 0;    ///< 0 = all; does not change the result
+    Progress progress{};  ///< see base/progress.hpp
 };
 
 struct NearestResult {
     VertexMap target_from_source;
 };
 
-/// The naive baseline of Sahillioglu and Yemez, section 5: the meshes' centres of mass (means of the
-/// vertices) are moved onto each other, then every source vertex takes the closest target vertex; of equally
-/// close ones, the smallest. O(V log V). Throws InvalidInput for invalid meshes.
+/// The naive baseline of Sahillioglu and Yemez, section 5: aligns the meshes, by default their centroids (see
+/// NearestAlignment), then maps every source vertex to the closest target vertex; of equally close ones, the
+/// smallest. O(V log V). Throws InvalidInput for invalid meshes.
 NearestResult match_nearest(const TriangleMesh& source, const TriangleMesh& target,
                             const NearestOptions& options = {});
 

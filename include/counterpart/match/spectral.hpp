@@ -15,64 +15,74 @@
 namespace counterpart {
 
 namespace spectral_match {
-struct Shape;
+struct PreparedShape;
 }
 
 struct SpectralShapeOptions {
-    int basis_size = 200;  ///< Laplace eigenfunctions, 30 .. 500
-    int n_samples = 1000;  ///< farthest-point samples that maps are searched on, 200 .. 5000
-    /// 0: sampling begins at the vertex farthest from the centre; else at one drawn from this seed. Good maps
-    /// hardly depend on it, so that a map that changes is a doubtful one.
+    int basis_size = 200;  ///< Laplace-Beltrami eigenfunctions, 30 .. 500
+    int n_samples = 1000;  ///< farthest-point samples on which maps are searched, 200 .. 5000
+    /// 0: sampling starts at the vertex farthest from the center; otherwise at a vertex drawn from this seed.
+    /// Good maps hardly depend on it; a map that changes with the seed is doubtful.
     std::uint64_t seed = 0;
-    int n_threads = 0;  ///< 0 = all; the result does not depend on it
+    int n_threads = 0;  ///< 0 = all; does not change the result
 };
 
-/// What is computed for one mesh before the other is known, kept for matching it with many. Cheap to copy.
+struct SpectralOptions;
+struct SpectralResult;
+
+/// What is computed for one mesh before the other is known; keep it to match one mesh with many. Cheap to
+/// copy.
 class SpectralShape {
   public:
-    /// Throws InvalidInput for invalid meshes, without area or with fewer than 20 vertices at different
-    /// places, and for options out of range.
+    /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 20 distinct vertex
+    /// positions, and options out of range. About O(V^1.2 basis_size).
     explicit SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options = {});
 
-    const spectral_match::Shape& data() const { return *data_; }
-
   private:
-    std::shared_ptr<const spectral_match::Shape> data_;
+    friend SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,
+                                         const SpectralOptions& options);
+    std::shared_ptr<const spectral_match::PreparedShape> shape_;
 };
 
 struct SpectralOptions {
-    /// Pairs (source vertex, target vertex) that are known; at least 3 replace the automatic search.
+    /// Known pairs (source vertex, target vertex), from 0; none, or at least 3, which replace the automatic
+    /// search.
     std::vector<std::pair<Index, Index>> landmarks{};
-    /// Return the mirrored map on purpose: left to right.
-    bool symmetric = false;
-    int n_alternatives = 3;  ///< how many runners-up are reported, 0 .. 10
-    int n_threads = 0;       ///< 0 = all; the result does not depend on it
+    bool symmetric = false;  ///< return the orientation-reversing map on purpose: left to right
+    int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
+    int n_threads = 0;       ///< 0 = all; does not change the result
+    /// Called from the calling thread a few times a second, while the work runs on others.
     Progress progress{};
 };
 
-/// Another map that was considered.
+/// A runner-up.
 struct SpectralAlternative {
-    VertexMap target_from_source;
+    VertexMap target_from_source;  ///< every source vertex is matched; not refined
     double score = 0;
     std::string description;  ///< how it differs from the best map: mirrored, turned, another limb
 };
 
 struct SpectralResult {
-    VertexMap target_from_source, source_from_target;
-    Vector confidence;  ///< per source vertex, in [0, 1]; 0 for those that only follow another
-    double score = 0;   ///< of the best map, comparable with those of the alternatives
-    double margin = 0;  ///< its distance to the best alternative's score; infinite if there is none
+    VertexMap target_from_source, source_from_target;  ///< every vertex is matched
+    /// Per source vertex, in [0, 1]: above 0.8 is reliable, below 0.2 is not; 0 for vertices that only follow
+    /// their nearest one.
+    Vector confidence;
+    double score = 0;   ///< of the best map, comparable with those of the alternatives; at most about 1.2
+    double margin = 0;  ///< over the best runner-up's score; infinite if there is none
     std::vector<SpectralAlternative> alternatives;  ///< best first
     std::vector<std::string> warnings;              ///< sentences: what may be wrong, and what to do
-    std::vector<StageTime> stages;
+    std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/spectral.md
 };
 
-/// Automatic dense correspondence of two surfaces of different connectivity, near-isometric and alike in
-/// shape: extremities are matched by geodesic distances, the maps they start are grown through the
-/// eigenfunctions of the Laplacian (bijective ZoomOut), judged by curvature, orientation, orthogonality and
-/// local rigidity, and the best is refined to all vertices. Independent of pose, position, scale and
-/// numbering. Every source vertex is matched. docs/spectral.md tells the method. Throws InvalidInput as
-/// SpectralShape, and for landmarks out of range.
+/// Automatic dense correspondence of two near-isometric surfaces of different connectivity. Extremities are
+/// matched by geodesic distances; the maps that they suggest are grown through the eigenfunctions of the
+/// Laplace-Beltrami operator (bijective ZoomOut: Ren et al. 2020, Melzi et al. 2019), ranked by curvature,
+/// orientation, isometry and local rigidity, and the best is refined on all vertices. Independent of pose,
+/// position, scale and numbering. docs/spectral.md describes the method.
+///
+/// With progress the work runs on a thread of its own while the calling thread reports; cancelling takes
+/// effect within about half a second at 100 000 vertices. Throws InvalidInput as SpectralShape, and for
+/// options out of range; Canceled. About O(V^1.2 basis_size) time, O(V basis_size) memory.
 SpectralResult match_spectral(const TriangleMesh& source, const TriangleMesh& target,
                               const SpectralOptions& options = {},
                               const SpectralShapeOptions& shape_options = {});

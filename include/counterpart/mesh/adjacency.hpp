@@ -9,8 +9,8 @@
 
 namespace counterpart {
 
-/// Which vertices share an edge with which, in compressed rows. Each neighbour is listed once, in increasing
-/// order, whatever the manifoldness; a vertex is not its own neighbour. Built in O(V + F log valence).
+/// The neighbors of each vertex, in compressed rows. Each neighbor is listed once, in increasing order, on
+/// manifold and non-manifold meshes alike; a vertex is not its own neighbor. Built in O(V + F log valence).
 class Adjacency {
   public:
     explicit Adjacency(const TriangleMesh& mesh);

@@ -10,29 +10,50 @@
 
 namespace counterpart {
 
-/// Values that a surface carries per corner of its triangles: texture coordinates, colours. Corners that
-/// share a row are smooth there; where two triangles at one vertex use different rows there is a seam.
+/// Values per corner of a mesh's triangles: texture coordinates, colors. Corners at a vertex that share a row
+/// are continuous there; where two triangles at one vertex use different rows there is a seam.
 struct CornerAttribute {
     Matrix values;      ///< one row per distinct value
     Triangles corners;  ///< n_triangles x 3: the row of each corner, -1 where the triangle has none
 };
 
-/// What moves each vertex: numbers of joints, counted from 0 in the skin's list, and their weights.
+/// The joints that move each vertex, as 0-based indices into the skin's list, and their weights.
 struct SkinBinding {
     Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> joints;  ///< n_vertices x K
     Matrix weights;  ///< n_vertices x K; each row sums to 1, or is all 0 for a vertex without a joint
 };
 
-/// A blend shape: where each vertex goes at weight 1.
+/// A blend shape: the displacement of each vertex at weight 1.
 struct MorphTarget {
     std::string name;
     Points displacements;  ///< n_vertices x 3, in the mesh's units
 };
 
-/// A file as it was read; known to the module io only.
-struct GltfDocument;
+/// What a file holds besides the mesh: materials with their textures, a skeleton, other nodes, animations. A
+/// file format that has such content derives its own kind; no other module looks inside.
+class Document {
+  public:
+    virtual ~Document() = default;
 
-/// A mesh with what artists attach to it. Empty parts are absent.
+    virtual bool has_materials() const = 0;
+    virtual std::shared_ptr<const Document> without_materials() const = 0;
+    /// Without skins and animations.
+    virtual std::shared_ptr<const Document> without_skeleton() const = 0;
+
+    /// A document and, for each triangle, the index of its part in it.
+    struct Assignment {
+        std::shared_ptr<const Document> document;
+        std::vector<Index> parts;
+    };
+    /// This document with materials of `source`: triangle i, which is in part parts[i] of this one, gets the
+    /// material of part source_parts[i] of the source. Textures and images come along; a part that gets
+    /// several materials is split. Throws InvalidInput if a part does not exist or the source is of another
+    /// format, IoError if an image is missing.
+    virtual Assignment with_materials_of(const Document& source, const std::vector<Index>& parts,
+                                         const std::vector<Index>& source_parts) const = 0;
+};
+
+/// A mesh with its attributes. Empty members are absent.
 struct AttributedMesh {
     TriangleMesh mesh;
     CornerAttribute normals;                           ///< n x 3 values
@@ -40,15 +61,14 @@ struct AttributedMesh {
     std::vector<CornerAttribute> colors;               ///< n x 3 or n x 4 values in 0 .. 1 each
     SkinBinding skin;
     std::vector<MorphTarget> morphs;
-    /// For each triangle what it is made of: the number of one of the document's primitives, which have their
-    /// materials; without a document any label from 0. Empty: all alike.
+    /// For each triangle its part: the index of one of the document's primitives, which have materials;
+    /// without a document, any label from 0. Empty: a single part.
     std::vector<Index> parts;
     /// The material of each part, by name; empty: unnamed.
     std::vector<std::string> part_names;
-    /// The glTF file that the mesh is from: whatever else it holds (materials, textures, the skeleton, other
-    /// nodes, animations) is written along, so who takes skin or parts from another mesh takes this too. Null
-    /// for meshes from elsewhere.
-    std::shared_ptr<const GltfDocument> document;
+    /// What else the mesh's file holds. It is also written; code that copies skin or parts from another mesh
+    /// must copy it too. Null for files that hold nothing else.
+    std::shared_ptr<const Document> document;
 };
 
 }  // namespace counterpart

@@ -10,7 +10,7 @@ namespace counterpart {
 double surface_area(const TriangleMesh& mesh);
 /// Area of each triangle.
 Vector triangle_areas(const TriangleMesh& mesh);
-/// A third of the area of the triangles around each vertex; sums to surface_area.
+/// Area of each vertex: a third of the area of its triangles. Sums to surface_area.
 Vector vertex_areas(const TriangleMesh& mesh);
 /// Unit normal of each triangle; zero for a degenerate one.
 Points triangle_normals(const TriangleMesh& mesh);
@@ -19,10 +19,10 @@ Points triangle_normals(const TriangleMesh& mesh);
 Points vertex_normals(const TriangleMesh& mesh);
 /// Mean length of the undirected edges. O(V + F).
 double mean_edge_length(const TriangleMesh& mesh);
-/// Enclosed volume by the divergence theorem: positive for a closed mesh wound counter-clockwise seen from
-/// outside.
+/// Enclosed volume by the divergence theorem: positive for a closed mesh whose triangles are
+/// counter-clockwise seen from outside.
 double signed_volume(const TriangleMesh& mesh);
-/// Mean of the surface: the area-weighted average of the triangles' centres.
+/// Area-weighted mean of the triangles' centers.
 Eigen::Vector3d surface_centroid(const TriangleMesh& mesh);
 
 }  // namespace counterpart

@@ -19,12 +19,19 @@ TriangleMesh make_torus(int rings, int segments);
 TriangleMesh make_grid(int columns, int rows);
 
 struct BodyOptions {
-    int subdivisions = 2;    ///< 0 .. 7; the vertices are 4 times as many with each: about 4500 with 2
-    bool symmetric = false;  ///< both arms alike: one mirror symmetry (x -> -x), of the connectivity too
+    int subdivisions = 2;    ///< 0 .. 7; each quadruples the vertices: about 4500 for 2
+    bool symmetric = false;  ///< equal arms: one mirror symmetry (x -> -x), also of the connectivity
 };
 
 /// A figure with head, arms, legs and a tail, closed, of genus 0, about 1 high (y), facing +z. Unless
-/// `symmetric`, its connectivity has no symmetry, so that a copy of it can be matched in one way only.
+/// `symmetric`, its connectivity has no symmetry, so a copy of it can be matched in only one way.
 TriangleMesh make_body(const BodyOptions& options = {});
+
+/// Splits every triangle into four at the midpoints of its edges; the surface does not change. Old vertices
+/// keep their indices, followed by the midpoints in the order of the edges (smaller vertex, larger vertex).
+/// Each triangle is replaced by the three at its corners, then the middle one; degenerate triangles are
+/// dropped. O(F log valence). Throws InvalidInput for a mesh that require_valid rejects, or if the result
+/// would have too many vertices for Index.
+TriangleMesh subdivide(const TriangleMesh& mesh);
 
 }  // namespace counterpart

@@ -6,6 +6,10 @@
 
 namespace counterpart {
 
+/// The most triangles that a mesh may have: what is counted for each of their corners and edges stays within
+/// Index. require_valid refuses more.
+inline constexpr Index max_triangles = Index{1} << 28;
+
 /// A triangle mesh as plain data. Any set of triangles is allowed: boundaries, several components, isolated
 /// vertices, non-manifold edges. Vertex and triangle numbers count from 0.
 struct TriangleMesh {

@@ -9,20 +9,20 @@
 namespace counterpart {
 
 struct WeldOptions {
-    double distance =
-        0;  ///< mesh units, at least 0; vertices this close become one. 0 = the same position exactly
+    /// Vertices up to this far apart are merged, mesh units, at least 0; 0 = only coincident ones.
+    double distance = 0;
 };
 
 struct WeldResult {
-    TriangleMesh mesh;                        ///< each kept vertex where it was, in the old order
-    std::vector<Index> welded_from_original;  ///< new number of each old vertex
+    TriangleMesh mesh;                        ///< the kept vertices, unmoved and in the old order
+    std::vector<Index> welded_from_original;  ///< new index of each old vertex
 };
 
-/// Joins vertices by position: each vertex, in order, becomes one with the first kept vertex within the
-/// distance, or is kept itself. So a kept vertex does not move, kept vertices are farther apart than the
-/// distance, and chains of close vertices do not collapse to a point. Triangles are kept, also those that
-/// lose a corner by it. O(V) for distances below the edge lengths. Throws InvalidInput for an invalid mesh or
-/// a distance that is negative or not finite.
+/// Merges vertices by position: each vertex, in order, is merged into the first kept vertex within the
+/// distance, or is kept itself. So kept vertices do not move and are farther apart than the distance, and
+/// chains of close vertices do not collapse to a point. All triangles are kept, including those that become
+/// degenerate. O(V) for distances below the edge lengths. Throws InvalidInput for an invalid mesh or a
+/// distance that is negative or not finite.
 WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options = {});
 
 }  // namespace counterpart

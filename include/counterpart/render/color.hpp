@@ -7,33 +7,34 @@
 #include <string>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::render {
 
-/// Red, green, blue as on the screen (sRGB), each 0 .. 1.
+/// Red, green, blue (sRGB), each 0 .. 1.
 using Color = Eigen::RowVector3d;
 
-/// Colour maps with monotone lightness, legible with the common kinds of colour-blindness and in grey.
+/// Color maps with monotone lightness, legible with common kinds of color blindness and in gray.
 enum class Colormap {
     viridis,  ///< dark blue to yellow: distances, levels (van der Walt and Smith 2015)
     cividis,  ///< dark blue to yellow, the same with and without red-green blindness (Nunez et al. 2018)
-    magma,    ///< pale (low) to dark purple (high): errors, so that what is right stays pale
+    magma,    ///< pale (low) to dark purple (high): errors, so that correct regions stay pale
 };
 /// Throws InvalidInput for a name that is not in colormap_names().
 Colormap colormap_from_name(const std::string& name);
 std::vector<std::string> colormap_names();
 
-/// The colour at `t`, clamped to 0 .. 1; grey where t is not a number.
+/// The color at `t`, clamped to 0 .. 1; gray if t is NaN.
 Color sample(Colormap map, double t);
 
-/// The color wheel of a position: hue by the direction from the middle of the picture, turned gradually along
-/// depth, pale in the middle, lighter upwards. `position` in -1 .. 1 on each axis: right, up, towards the
-/// viewer. Nearby positions have nearby colours; distant ones differ.
+/// A color for each position: hue by the direction from the center of the image, shifted with depth; pale at
+/// the center, lighter upward. `position` in -1 .. 1 on each axis: right, up, toward the viewer. Nearby
+/// positions have similar colors; distant ones differ.
 Color position_color(const Eigen::RowVector3d& position);
 
-/// n colours that are told apart also by the colour-blind (Okabe and Ito 2008), repeated after eight.
+/// Color n of a palette that is also distinguishable with color blindness (Okabe and Ito 2008); repeats after
+/// eight.
 Color category_color(int n);
 
-/// What has no value.
+/// For elements without a value.
 inline Color no_value_color() { return {0.62, 0.62, 0.62}; }
 
-}  // namespace counterpart
+}  // namespace counterpart::render

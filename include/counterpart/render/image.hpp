@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::render {
 
 /// Rows from the top, pixels from the left, three bytes each (sRGB).
 struct Image {
@@ -40,4 +40,4 @@ std::string encode_png(const Image& image);
 /// Reads what encode_png wrote, and any other PNG as 8-bit RGB (transparency over white). Throws IoError.
 Image decode_png(std::string_view bytes);
 
-}  // namespace counterpart
+}  // namespace counterpart::render

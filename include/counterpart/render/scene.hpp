@@ -2,20 +2,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 #include <counterpart/render/image.hpp>
 
 #include <functional>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::render {
 
-/// A mesh with paint. The attributes are interpolated over the triangles and turned into a colour at each
-/// point, so that bands and textures have sharp borders whatever the size of the triangles.
+/// A colored mesh. The attributes are interpolated over the triangles and mapped to a color at each point, so
+/// that bands and textures have sharp borders for any size of triangles.
 struct Surface {
-    TriangleMesh mesh;  ///< in picture space
-    Points attributes;  ///< n_vertices x 3: colours, texture coordinates, a value
-    /// Colour of an attribute; called from several threads. Empty: the attribute is the colour.
+    TriangleMesh mesh;  ///< in image space
+    Points attributes;  ///< n_vertices x 3: colors, texture coordinates, a value
+    /// Color of an attribute; called from several threads. Empty: the attribute is the color.
     std::function<Color(const Eigen::RowVector3d&)> color;
 };
 
@@ -31,8 +32,8 @@ struct Tube {
     Color color;
 };
 
-/// What a picture shows, in picture space: x to the right, y up, z towards the viewer; any unit. Seen without
-/// perspective, so that lengths can be compared anywhere in the picture.
+/// What an image shows, in image space: x to the right, y up, z toward the viewer; any unit. The projection
+/// is orthographic, so that lengths are comparable anywhere in the image.
 struct Scene {
     std::vector<Surface> surfaces;
     std::vector<Dot> dots;
@@ -41,25 +42,27 @@ struct Scene {
 
 struct RenderOptions {
     int width = 1600, height = 1000;  ///< pixels, 1 .. 16384
-    /// Share of the width and height left free on each side, 0 .. 0.45, and further pixels at the bottom and
-    /// on the right, for what is drawn there afterwards.
+    /// Fraction of the width and height left free on each side, 0 .. 0.45, and additional pixels at the
+    /// bottom and on the right, for labels and legends.
     double margin = 0.04;
     int bottom = 0, right = 0;
-    int occlusion_rays = 8;  ///< per pixel, 1 .. 64; neighbouring pixels share theirs
-    int n_threads = 0;       ///< 0 = all; the result does not depend on it
+    int occlusion_rays = 8;  ///< per pixel, 1 .. 64; neighboring pixels share theirs
+    int n_threads = 0;       ///< 0 = all; does not change the result
+    Progress progress{};     ///< see base/progress.hpp
     Color background = {0.965, 0.965, 0.96};
 };
 
-/// Where picture space lies in the image.
+/// The transform from image space to pixels.
 struct Frame {
-    Eigen::RowVector2d origin;  ///< pixel of picture space (0, 0): column, row
+    Eigen::RowVector2d origin;  ///< pixel of (0, 0) in image space: column, row
     double scale = 1;           ///< pixels per unit
 
     Eigen::RowVector2d pixel(const Eigen::RowVector3d& point) const {
         return {origin.x() + scale * point.x(), origin.y() - scale * point.y()};
     }
 };
-/// The largest picture of all that is in the scene. Throws InvalidInput for an empty scene or bad options.
+/// The largest frame that shows the whole scene. Throws InvalidInput for an empty scene or options out of
+/// range.
 Frame fit(const Scene& scene, const RenderOptions& options);
 
 /// Casts rays: smooth normals, a key light with a soft shadow, ambient occlusion, anti-aliasing by 16 rays at
@@ -68,4 +71,4 @@ Frame fit(const Scene& scene, const RenderOptions& options);
 /// InvalidInput for an invalid mesh, attributes that do not fit it, or options out of range.
 Image render(const Scene& scene, const RenderOptions& options = {});
 
-}  // namespace counterpart
+}  // namespace counterpart::render

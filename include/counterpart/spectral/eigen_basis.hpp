@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/spectral/laplacian.hpp>
 
 namespace counterpart {
@@ -17,9 +18,9 @@ struct EigenBasis {
 
 /// The `n_functions` lowest eigenfunctions (fewer if the mesh has fewer vertices), by shift-invert Lanczos.
 /// The first `n_functions` do not depend on how the vertices are numbered, up to the sign rule's ties and the
-/// choice within repeated eigenvalues. About O(V^1.2 * n_functions). Throws InvalidInput if n_functions < 1,
-/// NumericalError if the iteration fails.
-EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions);
-EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions);
+/// choice within repeated eigenvalues. About O(V^1.2 * n_functions). `progress` is called at every step of
+/// the iteration. Throws InvalidInput if n_functions < 1, NumericalError if the iteration fails, Canceled.
+EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress = {});
+EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions, const Progress& progress = {});
 
 }  // namespace counterpart

@@ -11,14 +11,15 @@
 
 namespace counterpart {
 
-/// A linear map of functions on the target to functions on the source, in eigenfunctions: C(i, j) is the
-/// coefficient on the source's function i of what becomes of the target's function j. k_source x k_target.
-/// Ovsjanikov et al. 2012. The identity, up to signs, for an isometry without repeated eigenvalues.
+/// A linear map from functions on the target to functions on the source, in their eigenfunctions: C(i, j) is
+/// the coefficient on the source's eigenfunction i of the image of the target's eigenfunction j. k_source x
+/// k_target. Ovsjanikov et al. 2012. For an isometry without repeated eigenvalues it is the identity, up to
+/// signs.
 using FunctionalMap = Eigen::MatrixXd;
 
-/// The map of functions that a vertex map induces, C = Phi_source^T M Phi_target[target_from_source], for the
-/// first k functions of either side. Unmatched vertices do not count. Throws InvalidInput if sizes differ or
-/// k is below 1. O(V k^2).
+/// The functional map that a vertex map induces, C = Phi_source^T M Phi_target[target_from_source], for the
+/// first k eigenfunctions of each mesh. Unmatched vertices do not count. Throws InvalidInput if sizes differ
+/// or k is below 1. O(V k^2).
 FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBasis& source,
                              const EigenBasis& target, int k);
 
@@ -30,9 +31,9 @@ FunctionalMap fit_functional_map(const Eigen::MatrixXd& source_coefficients, con
                                  double commutativity = 3);
 
 struct DescriptorMapOptions {
-    int k = 20;                ///< eigenfunctions of either side, at least 1
+    int k = 20;                ///< eigenfunctions of each mesh, at least 1
     double commutativity = 3;  ///< at least 0; columns have length 1
-    /// Of the heat kernels around landmarks, at unit area.
+    /// Times of the heat kernels around landmarks, at unit area.
     std::vector<double> heat_times{0.005, 0.02, 0.06};
     double descriptor_weight = 0.2;  ///< of each descriptor against each landmark's kernel; at least 0
 };
@@ -48,8 +49,8 @@ FunctionalMap functional_map_from_descriptors(const EigenBasis& source,
                                               std::span<const std::pair<Index, Index>> landmarks = {},
                                               const DescriptorMapOptions& options = {});
 
-/// The vertex map that a functional map means: each source vertex takes the target vertex nearest in
-/// coefficients, rows of Phi_source against rows of Phi_target C^T. O(V_source V_target k).
+/// The vertex map that a functional map represents: each source vertex maps to the target vertex with the
+/// nearest coefficients, rows of Phi_source against rows of Phi_target C^T. O(V_source V_target k).
 VertexMap vertex_map(const FunctionalMap& source_from_target, const EigenBasis& source,
                      const EigenBasis& target);
 

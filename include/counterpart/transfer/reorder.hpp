@@ -8,16 +8,16 @@
 
 namespace counterpart {
 
-/// The target's shape in the source's order: vertex v is where the partner of source vertex v is, bit for
-/// bit, and the triangles are the source's. O(V + F). Throws InvalidInput if the map does not fit the meshes
-/// or leaves a source vertex unmatched.
+/// The target's shape in the source's order: vertex v has exactly the position of the image of source vertex
+/// v, and the triangles are the source's. O(V + F). Throws InvalidInput if the map does not fit the meshes or
+/// leaves a source vertex unmatched.
 TriangleMesh reorder(const TriangleMesh& source, const TriangleMesh& target,
                      const VertexMap& target_from_source);
 
-/// The same with all that is attached. A target that has anything attached gives all of it, its document too,
-/// in the source's order; a bare one gives the positions, and the rest is the source's, but for normals.
-/// `target_corner_from_source`: source triangles x 3, entries 3 * triangle + corner. O(V + F). Throws
-/// InvalidInput, also if the corners do not fit.
+/// The same with attributes. If the target has any, they are all the target's, including its document, in the
+/// source's order; otherwise they are the source's, except normals. `target_corner_from_source`: source
+/// triangles x 3, entries 3 * triangle + corner. O(V + F). Throws InvalidInput, also if the corners do not
+/// fit.
 AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& target,
                        const VertexMap& target_from_source, const Triangles& target_corner_from_source);
 

@@ -2,28 +2,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
+#include <counterpart/map/complete.hpp>
 #include <counterpart/map/surface_map.hpp>
+#include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
-#include <counterpart/transfer/coverage.hpp>
 
 #include <string>
 #include <vector>
 
 namespace counterpart {
 
-/// What to carry; what the source has not is not carried, and what the target has already stays.
+/// What to transfer. Attributes that the source does not have, or that are not selected, stay the target's.
 struct TransferOptions {
     bool colors = true;
     bool texture_coordinates = true;
     bool normals = true;
     bool skin = true;
     bool morphs = true;
-    bool material = true;    ///< what each triangle is made of: see TransferResult::source_parts
-    int max_influences = 0;  ///< joints per vertex at most; 0 = as the source, see CarrySkinOptions
-    int n_threads = 0;       ///< 0 = all; the result does not depend on it
+    bool materials = true;   ///< with their textures; texture coordinates are of no use without them
+    int max_influences = 0;  ///< maximum joints per vertex; 0 = as in the source, see TransferSkinOptions
+    int n_threads = 0;       ///< 0 = all; does not change the result
+    Progress progress{};     ///< called between attributes
 };
 
-/// How one attribute arrived; counts that do not concern it are 0. See carry_corners and carry_skin.
+/// How one attribute was transferred; counts that do not apply to it are 0. See transfer_corners and
+/// transfer_skin.
 struct TransferredAttribute {
     std::string name;
     Coverage coverage;
@@ -32,19 +36,42 @@ struct TransferredAttribute {
 };
 
 struct TransferResult {
-    AttributedMesh content;  ///< the target's mesh with the source's attributes instead of its own
-    std::vector<TransferredAttribute> attributes;
-    /// With skin or material: for each target triangle the part of the source that it lies on.
-    std::vector<Index> source_parts;
+    AttributedMesh content;  ///< the target's mesh with the source's attributes
+    Index n_matched = 0;     ///< target vertices with a point of the source
+    std::vector<TransferredAttribute> attributes{};
+    bool has_materials = false;  ///< materials of the source were transferred
+    /// With skin or materials: for each target triangle the part of the source that it maps to.
+    std::vector<Index> source_parts{};
+    std::vector<std::string> warnings{};  ///< sentences for the user: what may be wrong, and what to do
 };
 
-/// Carries the source's attributes to the target: see carry_corners, carry_normals, carry_skin and
-/// carry_morphs. A skeleton lives in the file that the source is from: with the skin the target takes over
-/// the source's `document`, unchanged, and its `parts`; the skeleton is right where the target has the
-/// source's bind pose and place. Otherwise the target keeps its own, and io's with_materials brings the
-/// materials into it. Without any documents the source's parts, being labels, become the target's. Throws
-/// InvalidInput if map or attributes do not fit the meshes.
-TransferResult transfer_attributes(const SurfaceMap& source_from_target, const AttributedMesh& source,
-                                   const AttributedMesh& target, const TransferOptions& options = {});
+/// The source's attributes on the target's mesh: corners (transfer_corners, transfer_normals), skin
+/// (transfer_skin), morph targets (transfer_morph_targets), then materials. A skeleton belongs to the
+/// source's file, so with the skin the target takes over the source's `document` and `parts`; the skeleton is
+/// right if the target has the source's bind pose and position, which is checked. Otherwise the target keeps
+/// its own document, and the materials go into it. Without any documents the source's parts, being labels,
+/// become the target's. The map is inverted first (with_inverse). Throws InvalidInput if map or attributes do
+/// not fit the meshes, IoError if a texture is missing, Canceled.
+TransferResult transfer(const AttributedMesh& source, const AttributedMesh& target,
+                        const SurfaceMap& target_from_source, const TransferOptions& options = {});
+/// The same from a vertex map, which is first made a sub-vertex map (project_map).
+TransferResult transfer(const AttributedMesh& source, const AttributedMesh& target,
+                        const VertexMap& target_from_source, const TransferOptions& options = {});
+/// The same from the inverse map.
+TransferResult transfer_through_inverse(const AttributedMesh& source, const AttributedMesh& target,
+                                        const SurfaceMap& source_from_target,
+                                        const TransferOptions& options = {});
+
+/// Whether any part of the content's document has a material. O(number of parts).
+bool has_materials(const AttributedMesh& content);
+
+/// The content with the materials of another mesh: `source_parts` gives for each triangle the part of
+/// `source` whose material it gets. Materials come with their textures and images into the content's own
+/// document, whose skeleton, nodes and animations stay; a part that gets several materials is split. Content
+/// without a document takes over the source's, without skeleton and animations. If the source has no
+/// document, the result has no materials. Throws InvalidInput if the parts do not fit, IoError for an
+/// incomplete document or a missing image.
+AttributedMesh with_materials(const AttributedMesh& content, const AttributedMesh& source,
+                              const std::vector<Index>& source_parts);
 
 }  // namespace counterpart

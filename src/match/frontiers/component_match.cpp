@@ -3,11 +3,12 @@
 #include "match/frontiers/component_match.hpp"
 
 #include "base/parallel.hpp"
+#include "frontier/edge_splits.hpp"
+#include "frontier/seed_selection.hpp"
 #include "match/frontiers/side.hpp"
 
-#include <counterpart/align/rigid.hpp>
+#include <counterpart/align/transform.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/frontier/edge_splits.hpp>
 #include <counterpart/geodesic/critical_points.hpp>
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 namespace {
 
 using Corners = std::array<Index, 3>;
@@ -38,7 +39,7 @@ std::vector<Corners> sorted_triangles(const TriangleMesh& mesh) {
     return result;
 }
 
-// How well a map onto one of several alike source vertices fits: triangles lost or turned over, then edge
+// How well a map onto one of several candidate seeds fits: triangles lost or inverted, then edge
 // lengths (which bending hardly changes), then positions.
 struct Misfit {
     Index lost_triangles = 0;
@@ -51,7 +52,7 @@ Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<In
     const std::vector<Corners> triangles = sorted_triangles(b.mesh);
     Misfit result;
     for (Index t = 0; t < a.mesh.n_triangles(); ++t) {
-        const auto corner = [&](int c) { return image[at(a.mesh.triangles(t, c))]; };
+        const auto corner = [&](int c) { return image[to_size(a.mesh.triangles(t, c))]; };
         if (!std::binary_search(triangles.begin(), triangles.end(),
                                 canonical(corner(0), corner(1), corner(2))))
             ++result.lost_triangles;
@@ -59,12 +60,13 @@ Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<In
     double lengths = 0;
     MatchedPairs pairs;
     for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
-        if (image[at(v)] < 0) continue;
-        pairs.add(v, image[at(v)]);
+        if (image[to_size(v)] < 0) continue;
+        pairs.add(v, image[to_size(v)]);
         for (const Index w : a.adjacency.neighbors(v)) {
-            if (image[at(w)] < 0) continue;
-            const double difference = (a.points.row(v) - a.points.row(w)).norm() -
-                                      (b.points.row(image[at(v)]) - b.points.row(image[at(w)])).norm();
+            if (image[to_size(w)] < 0) continue;
+            const double difference =
+                (a.points.row(v) - a.points.row(w)).norm() -
+                (b.points.row(image[to_size(v)]) - b.points.row(image[to_size(w)])).norm();
             lengths += difference * difference;
         }
     }
@@ -78,7 +80,7 @@ Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<In
     return result;
 }
 
-// The tips of a surface, the most prominent first; a small piece has no use for them.
+// The critical points of a surface, the most prominent first; small components do not need them.
 std::vector<Index> candidates_of(const ComponentMesh& component, const FrontiersOptions& options) {
     constexpr std::size_t small = 200;
     if (component.vertices.size() < small || component.mesh.n_triangles() == 0) return {};
@@ -88,21 +90,22 @@ std::vector<Index> candidates_of(const ComponentMesh& component, const Frontiers
     return critical_points(component.mesh, DistanceGraph(component.mesh), critical).vertices;
 }
 
-SourceSelection sources_of(const ComponentMesh& source, const ComponentMesh& target,
-                           const FrontiersOptions& options, std::pair<Index, Index> given, Stopwatch& watch) {
-    if (given.first >= 0) return {given.first, {given.second}, 1, SourceTest::given};
+frontier::SeedSelection sources_of(const ComponentMesh& source, const ComponentMesh& target,
+                                   const FrontiersOptions& options, std::pair<Index, Index> given,
+                                   Stopwatch& watch) {
+    if (given.first >= 0) return {given.first, {given.second}, 1, SeedTest::given};
     const std::vector<Index> ours = candidates_of(source, options), theirs = candidates_of(target, options);
     watch.lap("critical points");
-    SourceSelectionOptions selection_options;
+    frontier::SeedSelectionOptions selection_options;
     selection_options.n_threads = options.n_threads;
-    SourceSelection selection = select_sources(source.mesh, source.adjacency, ours, target.mesh,
-                                               target.adjacency, theirs, selection_options);
+    frontier::SeedSelection selection = frontier::select_seeds(
+        source.mesh, source.adjacency, ours, target.mesh, target.adjacency, theirs, selection_options);
     if (selection.targets.empty())
         throw InvalidInput(
             fmt::format("the connectivity differs: no target vertex has the frontiers of source vertex {}; "
-                        "the best agree up "
-                        "to level {} and differ at the next",
-                        source.vertices[at(selection.source)], selection.longest_agreement - 1));
+                        "the closest ones agree up to "
+                        "level {} and differ at the next",
+                        source.vertices[to_size(selection.source)], selection.longest_agreement - 1));
     return selection;
 }
 
@@ -111,8 +114,10 @@ class SidePair {
   public:
     SidePair(const ComponentMesh& source, const ComponentMesh& target, Index s, Index t, bool split_edges) {
         if (split_edges) {
-            split_a_.emplace(split_edges_for_depth(source.mesh, bfs_frontiers(source.adjacency, s)).mesh);
-            split_b_.emplace(split_edges_for_depth(target.mesh, bfs_frontiers(target.adjacency, t)).mesh);
+            split_a_.emplace(
+                frontier::split_edges_for_depth(source.mesh, bfs_frontiers(source.adjacency, s)).mesh);
+            split_b_.emplace(
+                frontier::split_edges_for_depth(target.mesh, bfs_frontiers(target.adjacency, t)).mesh);
             adjacency_a_.emplace(*split_a_);
             adjacency_b_.emplace(*split_b_);
         }
@@ -140,8 +145,8 @@ class SidePair {
 ComponentImage match_component(const ComponentMesh& source, const ComponentMesh& target,
                                const FrontiersOptions& options, std::pair<Index, Index> given,
                                const Eigen::Matrix3d* rotation, Stopwatch& watch) {
-    if (source.vertices.size() == 1) return {{0}, 0, {1, 1, 0, 0, SourceTest::eccentric, 1}};
-    const SourceSelection selection = sources_of(source, target, options, given, watch);
+    if (source.vertices.size() == 1) return {{0}, 0, {1, 1, 0, 0, SeedTest::eccentric, 1}};
+    const frontier::SeedSelection selection = sources_of(source, target, options, given, watch);
     watch.lap("source selection");
     ComponentImage best;
     std::optional<Misfit> best_misfit;
@@ -170,4 +175,4 @@ ComponentImage match_component(const ComponentMesh& source, const ComponentMesh&
     return best;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

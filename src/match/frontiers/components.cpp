@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/frontiers/components.hpp"
 
-#include "frontier/hash_mixing.hpp"
+#include "base/hash_mixing.hpp"
 #include "match/frontiers/side.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -13,21 +13,21 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 namespace {
 
 std::uint64_t signature_of(const TriangleMesh& mesh, const Adjacency& adjacency) {
-    std::vector<std::uint64_t> color(at(mesh.n_vertices()), 0), next(color);
+    std::vector<std::uint64_t> color(to_size(mesh.n_vertices()), 0), next(color);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
-        for (int c = 0; c < 3; ++c) ++color[at(mesh.triangles(t, c))];
+        for (int c = 0; c < 3; ++c) ++color[to_size(mesh.triangles(t, c))];
     std::uint64_t sum = 0;
     for (int round = 0; round < 3; ++round) {
         sum = 0;
         for (Index v = 0; v < mesh.n_vertices(); ++v) {
             std::uint64_t around = 0;
-            for (const Index w : adjacency.neighbors(v)) around += mixed(color[at(w)]);
-            next[at(v)] = mixed(color[at(v)], around);
-            sum += next[at(v)];
+            for (const Index w : adjacency.neighbors(v)) around += mixed(color[to_size(w)]);
+            next[to_size(v)] = mixed(color[to_size(v)], around);
+            sum += next[to_size(v)];
         }
         std::swap(color, next);
     }
@@ -63,15 +63,15 @@ bool alike(const ComponentMesh& a, const ComponentMesh& b) {
 
 std::vector<ComponentMesh> split_components(const TriangleMesh& mesh, const Adjacency& adjacency) {
     const Components components = connected_components(adjacency);
-    std::vector<std::vector<Index>> vertices(at(components.count)), triangles(at(components.count));
-    std::vector<Index> number(at(mesh.n_vertices()));  // of each vertex within its component
+    std::vector<std::vector<Index>> vertices(to_size(components.count)), triangles(to_size(components.count));
+    std::vector<Index> number(to_size(mesh.n_vertices()));  // of each vertex within its component
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
-        auto& mine = vertices[at(components.of_vertex[at(v)])];
-        number[at(v)] = static_cast<Index>(mine.size());
+        auto& mine = vertices[to_size(components.of_vertex[to_size(v)])];
+        number[to_size(v)] = static_cast<Index>(mine.size());
         mine.push_back(v);
     }
     for (Index t = 0; t < mesh.n_triangles(); ++t)
-        triangles[at(components.of_vertex[at(mesh.triangles(t, 0))])].push_back(t);
+        triangles[to_size(components.of_vertex[to_size(mesh.triangles(t, 0))])].push_back(t);
 
     std::vector<ComponentMesh> result;
     for (std::size_t c = 0; c < vertices.size(); ++c) {
@@ -80,7 +80,7 @@ std::vector<ComponentMesh> split_components(const TriangleMesh& mesh, const Adja
         for (std::size_t t = 0; t < triangles[c].size(); ++t)
             for (int k = 0; k < 3; ++k)
                 part.triangles(static_cast<Eigen::Index>(t), k) =
-                    number[at(mesh.triangles(triangles[c][t], k))];
+                    number[to_size(mesh.triangles(triangles[c][t], k))];
         Adjacency part_adjacency(part);
         const std::uint64_t signature = signature_of(part, part_adjacency);
         result.push_back({std::move(part), std::move(vertices[c]), std::move(part_adjacency), signature});
@@ -94,12 +94,12 @@ std::vector<ComponentGroup> group_components(const std::vector<ComponentMesh>& s
     require_same(static_cast<Index>(source.size()), static_cast<Index>(target.size()),
                  "connected components");
     std::vector<ComponentGroup> groups;
-    // Both lists are sorted alike, so that equal components take equal places.
+    // Both lists have the same order, so that equal components take equal positions.
     for (std::size_t c = 0; c < source.size(); ++c) {
         if (!alike(source[c], target[c]))
             differ(fmt::format(
                 "component {} by size has {} vertices, {} edges and {} triangles in the source and "
-                "{}, {} and {} in the target, or they hang together otherwise",
+                "{}, {} and {} in the target, or its connectivity differs",
                 c + 1, source[c].vertices.size(), source[c].adjacency.n_edges(), source[c].mesh.n_triangles(),
                 target[c].vertices.size(), target[c].adjacency.n_edges(), target[c].mesh.n_triangles()));
         if (c == 0 || !alike(source[c - 1], source[c])) groups.emplace_back();
@@ -117,7 +117,7 @@ void require_same_counts(const TriangleMesh& source, const Adjacency& source_adj
     const auto ours = valence_histogram(source_adjacency);
     auto theirs = valence_histogram(target_adjacency);
     for (const auto& [valence, count] : ours)
-        require_same(count, theirs[valence], fmt::format("vertices with {} neighbours", valence).c_str());
+        require_same(count, theirs[valence], fmt::format("vertices with {} neighbors", valence).c_str());
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

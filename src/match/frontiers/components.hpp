@@ -8,21 +8,21 @@
 #include <cstdint>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 
 /// A connected component as a mesh of its own.
 struct ComponentMesh {
     TriangleMesh mesh;
-    std::vector<Index> vertices;  ///< their numbers in the whole mesh, increasing
+    std::vector<Index> vertices;  ///< their indices in the whole mesh, increasing
     Adjacency adjacency;
     std::uint64_t signature = 0;  ///< equal for components of the same connectivity, as far as a few rounds
-                                  ///< of colour refinement can tell
+                                  ///< of color refinement can tell
 };
 
 /// Largest first, then by signature, then by smallest vertex.
 std::vector<ComponentMesh> split_components(const TriangleMesh& mesh, const Adjacency& adjacency);
 
-/// Components of both meshes with one signature, by their places in the two lists.
+/// Components of both meshes with one signature, by their indices in the two lists.
 struct ComponentGroup {
     std::vector<std::size_t> source, target;
 };
@@ -35,4 +35,4 @@ std::vector<ComponentGroup> group_components(const std::vector<ComponentMesh>& s
 void require_same_counts(const TriangleMesh& source, const Adjacency& source_adjacency,
                          const TriangleMesh& target, const Adjacency& target_adjacency);
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

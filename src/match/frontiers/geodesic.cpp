@@ -3,11 +3,11 @@
 #include "base/parallel.hpp"
 #include "match/frontiers/side.hpp"
 
-#include <counterpart/align/rigid.hpp>
+#include <counterpart/align/transform.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/stopwatch.hpp>
+#include <counterpart/base/progress.hpp>
 #include <counterpart/geodesic/critical_points.hpp>
-#include <counterpart/match/geodesic_frontiers.hpp>
+#include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ struct View {
 };
 
 // All that one mesh contributes before it is seen from a source vertex.
-struct Side {
-    explicit Side(const TriangleMesh& m) : mesh(m), graph(m), areas(vertex_areas(m)) {}
+struct PairSide {
+    explicit PairSide(const TriangleMesh& m) : mesh(m), graph(m), areas(vertex_areas(m)) {}
 
     View view_from(Index source) const {
         View view{source, distances_from(graph, source), {}};
@@ -74,7 +74,7 @@ double difference(const Profile& a, const Profile& b) {
 
 // Bands in a common frame and unit, none of them empty: an empty one joins the one before.
 struct Bands {
-    Bands(const Side& side, const View& view, Index count, double unit)
+    Bands(const PairSide& side, const View& view, Index count, double unit)
         : points((side.mesh.vertices.rowwise() - surface_centroid(side.mesh).transpose()) /
                  (unit * std::sqrt(surface_area(side.mesh)))),
           frontiers(distance_frontiers(view.distance, (1 + 1e-9) / count)) {}
@@ -86,7 +86,8 @@ struct Bands {
     }
     Points centers(Index count) const {
         Points result(count, 3);
-        for (Index k = 0; k < count; ++k) result.row(k) = rows_of(points, at_level(k)).colwise().mean();
+        for (Index k = 0; k < count; ++k)
+            result.row(k) = frontiers::rows_of(points, at_level(k)).colwise().mean();
         return result;
     }
 
@@ -94,7 +95,7 @@ struct Bands {
     Frontiers frontiers;
 };
 
-// How far apart the bands' centres are as they lie, and how to bring them together if that is clearly closer.
+// How far apart the bands' centers are as they lie, and how to bring them together if that is clearly closer.
 struct CentersFit {
     double residual = 0;
     std::optional<Similarity> turn;
@@ -116,12 +117,12 @@ void require_usable(const TriangleMesh& source, const TriangleMesh& target,
     require_valid(target);
     if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
         throw InvalidInput("a mesh has no area: all its triangles are degenerate");
-    if ((options.source < 0) != (options.target_source < 0))
-        throw InvalidInput("give both source vertices or none: one of each mesh");
-    if (options.source >= source.n_vertices() || options.target_source >= target.n_vertices())
-        throw InvalidInput("a source vertex does not exist");
+    if ((options.source_seed < 0) != (options.target_seed < 0))
+        throw InvalidInput("give both seed vertices, one of each mesh, or none");
+    if (options.source_seed >= source.n_vertices() || options.target_seed >= target.n_vertices())
+        throw InvalidInput("a seed vertex does not exist");
     if (options.n_bands < 0 || options.n_bands > 1'000'000 || !(options.deformation_threshold >= 0))
-        throw InvalidInput("n_bands must be 0 to 1000000, deformation_threshold 0 or more");
+        throw InvalidInput("n_bands must be from 0 to 1000000 and deformation_threshold at least 0");
 }
 
 struct Start {
@@ -133,10 +134,10 @@ struct Start {
 
 // Of the views that are about as much alike as the two that are most, as from the left and the right hand,
 // those whose bands lie closest.
-Start choose_start(const Side& a, const Side& b, const GeodesicFrontiersOptions& options, Index n_bands,
-                   double unit) {
+Start choose_start(const PairSide& a, const PairSide& b, const GeodesicFrontiersOptions& options,
+                   Index n_bands, double unit) {
     constexpr double about = 0.02;
-    const std::vector<View> sources = a.views(options.source), targets = b.views(options.target_source);
+    const std::vector<View> sources = a.views(options.source_seed), targets = b.views(options.target_seed);
     double least = std::numeric_limits<double>::infinity();
     for (const View& x : sources)
         for (const View& y : targets) least = std::min(least, difference(x.profile, y.profile));
@@ -157,7 +158,7 @@ Start choose_start(const Side& a, const Side& b, const GeodesicFrontiersOptions&
 GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& target,
                               const GeodesicFrontiersOptions& options) {
     Stopwatch watch;
-    const Side a(source), b(target);
+    const PairSide a(source), b(target);
     const Index fewer = std::min(source.n_vertices(), target.n_vertices());
     const Index n = options.n_bands > 0
                         ? options.n_bands
@@ -170,25 +171,26 @@ GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& ta
     Bands &ours = start.source, &theirs = start.target;
     if (start.fit.turn) ours.points = (*start.fit.turn)(ours.points);
     GeodesicFrontiersResult result;
-    result.source = start.source_vertex;
-    result.target_source = start.target_vertex;
+    result.source_seed = start.source_vertex;
+    result.target_seed = start.target_vertex;
     result.profile_difference = start.profile_difference;
     result.n_bands = n;
     watch.lap("frontiers");
-    result.target_from_source = {std::vector<Index>(at(source.n_vertices()), VertexMap::unmatched),
-                                 target.n_vertices()};
-    parallel_for(at(std::min(n, ours.frontiers.count())), 1, [&](std::size_t k) {
+    std::vector<Index> image(to_size(source.n_vertices()), VertexMap::unmatched);
+    parallel_for(to_size(std::min(n, ours.frontiers.count())), 1, [&](std::size_t k) {
         const auto mine = ours.frontiers[static_cast<Index>(k)],
                    other = theirs.at_level(static_cast<Index>(k));
         if (mine.empty()) return;
-        const Points x = rows_of(ours.points, mine), y = rows_of(theirs.points, other);
-        const Points aligned = align_whole_frontier(x, y, options.deformation_threshold);
-        const std::vector<Index> chosen = pair_up(pairing_cost(mine, aligned, other, y, {}), options.pairing);
+        const Points x = frontiers::rows_of(ours.points, mine), y = frontiers::rows_of(theirs.points, other);
+        const Points aligned = frontiers::align_whole_frontier(x, y, options.deformation_threshold);
+        const std::vector<Index> chosen =
+            frontiers::pair_up(frontiers::pairing_cost(mine, aligned, other, y, {}), options.pairing);
         for (std::size_t i = 0; i < mine.size(); ++i)
-            if (chosen[i] >= 0) result.target_from_source.image[at(mine[i])] = other[at(chosen[i])];
+            if (chosen[i] >= 0) image[to_size(mine[i])] = other[to_size(chosen[i])];
     });
+    result.target_from_source = VertexMap(std::move(image), target.n_vertices());
     watch.lap("matching");
-    report(options.progress, 1);
+    report_progress(options.progress, 1);
     result.stages = watch.stages();
     return result;
 }

@@ -2,30 +2,30 @@
 // SPDX-License-Identifier: MIT
 #include "match/frontiers/loop.hpp"
 
-#include "frontier/hash_mixing.hpp"
+#include "base/hash_mixing.hpp"
 
-#include <counterpart/align/rigid.hpp>
 #include <counterpart/align/tps_rpm.hpp>
+#include <counterpart/align/transform.hpp>
 
 #include <algorithm>
 #include <utility>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 
 SequenceState::SequenceState(const FrontierSide& a, const FrontierSide& b)
-    : image(a.place.size(), -1),
-      preimage(b.place.size(), -1),
-      rotation(at(a.loops.count()), Eigen::Matrix3d::Identity()),
-      n_open(at(a.loops.count()), 0),
-      key_a(a.place.size(), 0),
-      key_b(b.place.size(), 0),
+    : image(a.slot.size(), -1),
+      preimage(b.slot.size(), -1),
+      rotation(to_size(a.loops.count()), Eigen::Matrix3d::Identity()),
+      n_open(to_size(a.loops.count()), 0),
+      key_a(a.slot.size(), 0),
+      key_b(b.slot.size(), 0),
       a_(a),
       b_(b) {}
 
 void SequenceState::clear(Index n_levels) {
     for (Index k = 0; k < n_levels; ++k) {
-        for (const Index v : a_.frontiers[k]) image[at(v)] = -1;
-        for (const Index w : b_.frontiers[k]) preimage[at(w)] = -1;
+        for (const Index v : a_.frontiers[k]) image[to_size(v)] = -1;
+        for (const Index w : b_.frontiers[k]) preimage[to_size(w)] = -1;
     }
     std::fill(n_open.begin(), n_open.end(), 0);
 }
@@ -47,7 +47,7 @@ class LoopMatcher {
           loop_(loops.source),
           ours_(a.loops[loops.source]),
           theirs_(b.loops[loops.target]),
-          level_(a.frontiers.level[at(ours_.front())]) {}
+          level_(a.frontiers.level[to_size(ours_.front())]) {}
 
     void run(bool allow_deformation) {
         if (options_.vertex_hashes) {
@@ -56,11 +56,11 @@ class LoopMatcher {
             open_a_.assign(ours_.begin(), ours_.end());
             open_b_.assign(theirs_.begin(), theirs_.end());
         }
-        state_.n_open[at(loop_)] = static_cast<Index>(open_a_.size());
+        state_.n_open[to_size(loop_)] = static_cast<Index>(open_a_.size());
         anchor();
         Similarity motion = fit({});
         if (!open_a_.empty() && !open_b_.empty()) decide(motion, allow_deformation);
-        state_.rotation[at(loop_)] = motion.rotation;
+        state_.rotation[to_size(loop_)] = motion.rotation;
     }
 
   private:
@@ -80,7 +80,7 @@ class LoopMatcher {
         const auto keyed = [](const FrontierSide& side, std::span<const Index> loop,
                               const std::vector<std::uint64_t>& keys) {
             std::vector<std::pair<std::uint64_t, Index>> result;
-            for (const Index v : loop) result.emplace_back(keys[at(side.place[at(v)])], v);
+            for (const Index v : loop) result.emplace_back(keys[to_size(side.slot[to_size(v)])], v);
             std::sort(result.begin(), result.end());
             return result;
         };
@@ -95,7 +95,7 @@ class LoopMatcher {
             const bool once_there = it != by_key_b.end() && it->first == key &&
                                     (it + 1 == by_key_b.end() || (it + 1)->first != key);
             if (once && once_there) {
-                state_.image[at(v)] = it->second;
+                state_.image[to_size(v)] = it->second;
                 taken[static_cast<std::size_t>(it - by_key_b.begin())] = 1;
             } else {
                 open_a_.push_back(v);
@@ -113,10 +113,10 @@ class LoopMatcher {
         for (const Index v : loop) {
             std::uint64_t parents = 0;
             for (const Index p : side.adjacency.neighbors(v))
-                if (side.frontiers.level[at(p)] < level_)
-                    parents +=
-                        mixed(static_cast<std::uint64_t>(source_of != nullptr ? (*source_of)[at(p)] : p));
-            keys[at(side.place[at(v)])] = mixed(side.tree_hash[at(v)], parents);
+                if (side.frontiers.level[to_size(p)] < level_)
+                    parents += mixed(
+                        static_cast<std::uint64_t>(source_of != nullptr ? (*source_of)[to_size(p)] : p));
+            keys[to_size(side.slot[to_size(v)])] = mixed(side.subtree_hash[to_size(v)], parents);
         }
     }
 
@@ -126,15 +126,16 @@ class LoopMatcher {
         for (const Index v : loop) {
             std::uint64_t siblings = 0;
             for (const Index w : side.adjacency.neighbors(v))
-                if (side.frontiers.level[at(w)] == level_) siblings += mixed(keys[at(side.place[at(w)])]);
-            next.push_back(mixed(keys[at(side.place[at(v)])], siblings));
+                if (side.frontiers.level[to_size(w)] == level_)
+                    siblings += mixed(keys[to_size(side.slot[to_size(w)])]);
+            next.push_back(mixed(keys[to_size(side.slot[to_size(v)])], siblings));
         }
-        for (std::size_t i = 0; i < loop.size(); ++i) keys[at(side.place[at(loop[i])])] = next[i];
+        for (std::size_t i = 0; i < loop.size(); ++i) keys[to_size(side.slot[to_size(loop[i])])] = next[i];
     }
 
     std::size_t count_distinct() const {
         std::vector<std::uint64_t> keys;
-        for (const Index v : ours_) keys.push_back(state_.key_a[at(a_.place[at(v)])]);
+        for (const Index v : ours_) keys.push_back(state_.key_a[to_size(a_.slot[to_size(v)])]);
         std::sort(keys.begin(), keys.end());
         return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) - keys.begin());
     }
@@ -148,10 +149,10 @@ class LoopMatcher {
             std::vector<Index> parents;
             for (const Index v : generation)
                 for (const Index p : a_.adjacency.neighbors(v))
-                    if (a_.frontiers.level[at(p)] < a_.frontiers.level[at(v)]) parents.push_back(p);
+                    if (a_.frontiers.level[to_size(p)] < a_.frontiers.level[to_size(v)]) parents.push_back(p);
             std::sort(parents.begin(), parents.end());
             parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
-            if (step == 1) prior_ = state_.rotation[at(a_.loops.of_vertex[at(parents.front())])];
+            if (step == 1) prior_ = state_.rotation[to_size(a_.loops.of_vertex[to_size(parents.front())])];
             for (const Index p : parents) add_anchor(p, 1.0 / step);
             generation = std::move(parents);
         }
@@ -160,8 +161,8 @@ class LoopMatcher {
     }
 
     void add_anchor(Index v, double weight) {
-        if (state_.image[at(v)] < 0) return;
-        anchors_.add(v, state_.image[at(v)]);
+        if (state_.image[to_size(v)] < 0) return;
+        anchors_.add(v, state_.image[to_size(v)]);
         anchor_weights_.push_back(weight);
     }
 
@@ -171,7 +172,7 @@ class LoopMatcher {
         std::vector<double> weights = anchor_weights_;
         for (std::size_t i = 0; i < chosen.size(); ++i) {
             if (chosen[i] < 0) continue;
-            pairs.add(open_a_[i], open_b_[at(chosen[i])]);
+            pairs.add(open_a_[i], open_b_[to_size(chosen[i])]);
             weights.push_back(4);
         }
         KabschOptions options;
@@ -223,9 +224,9 @@ class LoopMatcher {
         for (Eigen::Index i = 0; i < n; ++i) {
             const Index v = open_a_[static_cast<std::size_t>(i)];
             for (const Index p : a_.adjacency.neighbors(v)) {
-                if (a_.frontiers.level[at(p)] >= level_ || state_.image[at(p)] < 0) continue;
+                if (a_.frontiers.level[to_size(p)] >= level_ || state_.image[to_size(p)] < 0) continue;
                 penalty.row(i).array() += options_.edge_penalty;
-                for (const Index w : b_.adjacency.neighbors(state_.image[at(p)])) {
+                for (const Index w : b_.adjacency.neighbors(state_.image[to_size(p)])) {
                     const auto it = std::lower_bound(open_b_.begin(), open_b_.end(), w);
                     if (it != open_b_.end() && *it == w)
                         penalty(i, it - open_b_.begin()) -= options_.edge_penalty;
@@ -233,8 +234,8 @@ class LoopMatcher {
             }
             if (!options_.vertex_hashes) continue;
             for (Eigen::Index j = 0; j < m; ++j)
-                if (state_.key_a[at(a_.place[at(v)])] !=
-                    state_.key_b[at(b_.place[at(open_b_[static_cast<std::size_t>(j)])])])
+                if (state_.key_a[to_size(a_.slot[to_size(v)])] !=
+                    state_.key_b[to_size(b_.slot[to_size(open_b_[static_cast<std::size_t>(j)])])])
                     penalty(i, j) += key_penalty;
         }
         return penalty;
@@ -261,19 +262,19 @@ class LoopMatcher {
 
     void assign(const std::vector<Index>& chosen) {
         for (std::size_t i = 0; i < chosen.size(); ++i)
-            state_.image[at(open_a_[i])] = chosen[i] >= 0 ? open_b_[at(chosen[i])] : -1;
+            state_.image[to_size(open_a_[i])] = chosen[i] >= 0 ? open_b_[to_size(chosen[i])] : -1;
     }
 
-    // Edges of the open vertices, to parents and within the loop, that lead to neighbours of the image.
+    // Edges of the open vertices, to parents and within the loop, that lead to neighbors of the image.
     Index kept_edges(const std::vector<Index>& chosen) {
         assign(chosen);
         Index kept = 0;
         for (const Index v : open_a_) {
-            const Index image = state_.image[at(v)];
+            const Index image = state_.image[to_size(v)];
             if (image < 0) continue;
             for (const Index w : a_.adjacency.neighbors(v))
-                if (a_.frontiers.level[at(w)] <= level_ && state_.image[at(w)] >= 0 &&
-                    b_.adjacency.has_edge(image, state_.image[at(w)]))
+                if (a_.frontiers.level[to_size(w)] <= level_ && state_.image[to_size(w)] >= 0 &&
+                    b_.adjacency.has_edge(image, state_.image[to_size(w)]))
                     ++kept;
         }
         return kept;
@@ -285,7 +286,7 @@ class LoopMatcher {
     Index loop_;
     std::span<const Index> ours_, theirs_;
     Index level_;
-    std::vector<Index> open_a_, open_b_;  // what is left to positions, in increasing order
+    std::vector<Index> open_a_, open_b_;  // what positions must decide, in increasing order
     MatchedPairs anchors_;
     std::vector<double> anchor_weights_;
     Eigen::Matrix3d prior_ = Eigen::Matrix3d::Identity();
@@ -298,4 +299,4 @@ void match_loop(const FrontierSide& a, const FrontierSide& b, const FrontiersOpt
     LoopMatcher(a, b, options, loops, state).run(allow_deformation);
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

@@ -6,12 +6,12 @@
 #include "base/parallel.hpp"
 #include "match/frontiers/side.hpp"
 
-#include <counterpart/align/rigid.hpp>
 #include <counterpart/align/tps_rpm.hpp>
+#include <counterpart/align/transform.hpp>
 
 #include <algorithm>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 namespace {
 
 // S: the sum of squared distances from each point to the closest one.
@@ -25,21 +25,21 @@ double closest_sum(const Points& aligned, const Points& target) {
 }  // namespace
 
 Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold) {
-    const Points centred = align_centroids(x, y)(x);
-    const double sum = closest_sum(centred, y);
+    const Points centered = align_centroids(x, y)(x);
+    const double sum = closest_sum(centered, y);
     const auto n = static_cast<double>(x.rows());
-    if (x.rows() < 4 || sum <= deformation_threshold * n) return centred;
+    if (x.rows() < 4 || sum <= deformation_threshold * n) return centered;
     TpsRpmOptions rpm;
     rpm.initial_temperature = 10 * sum;
-    return tps_rpm(centred, y, rpm).transformed;
+    return tps_rpm(centered, y, rpm).transformed;
 }
 
-SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
-                                const FrontiersOptions& options) {
-    SideMatch match{std::vector<Index>(source.place.size(), VertexMap::unmatched)};
+frontiers::SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
+                                           const FrontiersOptions& options) {
+    SideMatch match{std::vector<Index>(source.slot.size(), VertexMap::unmatched)};
     const Index n = source.frontiers.count();
-    std::vector<Index> by_size(at(n));
-    for (Index k = 0; k < n; ++k) by_size[at(k)] = k;
+    std::vector<Index> by_size(to_size(n));
+    for (Index k = 0; k < n; ++k) by_size[to_size(k)] = k;
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Index a, Index b) { return source.frontiers.size(a) > source.frontiers.size(b); });
     const auto match_frontier = [&](Index k) {
@@ -49,13 +49,13 @@ SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& 
         const std::vector<Index> chosen =
             pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing);
         for (std::size_t v = 0; v < ours.size(); ++v)
-            if (chosen[v] >= 0) match.image[at(ours[v])] = theirs[at(chosen[v])];
+            if (chosen[v] >= 0) match.image[to_size(ours[v])] = theirs[to_size(chosen[v])];
     };
     // In batches, between which progress is reported: largest first, so that no thread is left with a large
     // one.
     constexpr std::size_t batch = 32;
     for (std::size_t begin = 0; begin < by_size.size(); begin += batch) {
-        report(options.progress, static_cast<double>(begin) / static_cast<double>(by_size.size()));
+        report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(by_size.size()));
         parallel_for(std::min(batch, by_size.size() - begin), 1,
                      [&](std::size_t i) { match_frontier(by_size[begin + i]); });
     }
@@ -63,4 +63,4 @@ SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& 
     return match;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

@@ -6,14 +6,14 @@
 #include "match/frontiers/side.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
-#include <counterpart/align/rigid.hpp>
+#include <counterpart/align/transform.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 namespace {
 
 constexpr int n_anchors = 50;                 // matched vertices that carry a component
@@ -24,20 +24,20 @@ struct Moments {
     Eigen::Vector3d mean;
     Eigen::Matrix3d spread;  // covariance over its square root of trace, in units of length
     explicit Moments(const Points& points) : mean(points.colwise().mean().transpose()) {
-        const Points centred = points.rowwise() - mean.transpose();
-        spread = centred.transpose() * centred / static_cast<double>(points.rows());
+        const Points centered = points.rowwise() - mean.transpose();
+        spread = centered.transpose() * centered / static_cast<double>(points.rows());
         const double size = std::sqrt(spread.trace());
         if (size > 0) spread /= size;
     }
 };
 
-// How the neighbourhood of a component moves, told by the matched vertices nearest to it.
+// How the neighborhood of a component moves, told by the matched vertices nearest to it.
 class Surroundings {
   public:
-    Surroundings(const TriangleMesh& source, const TriangleMesh& target, const VertexMap& matched)
+    Surroundings(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& matched)
         : source_(source), target_(target), matched_(matched) {
-        for (Index v = 0; v < matched.source_size(); ++v)
-            if (matched[v] >= 0) anchors_.push_back(v);
+        for (std::size_t v = 0; v < matched.size(); ++v)
+            if (matched[v] >= 0) anchors_.push_back(static_cast<Index>(v));
         if (!anchors_.empty()) nearest_.emplace(rows_of(source.vertices, anchors_));
     }
 
@@ -49,13 +49,14 @@ class Surroundings {
         if (!known()) return whole();
         MatchedPairs pairs;
         for (const auto& neighbor : nearest_->closest(point, n_anchors))
-            pairs.add(anchors_[at(neighbor.index)], matched_[anchors_[at(neighbor.index)]]);
+            pairs.add(anchors_[to_size(neighbor.index)],
+                      matched_[to_size(anchors_[to_size(neighbor.index)])]);
         return kabsch(rows_of(source_.vertices, pairs.source), rows_of(target_.vertices, pairs.target), {},
                       options);
     }
 
   private:
-    // Nothing is matched yet: centres of mass and sizes.
+    // Nothing is matched yet: centers of mass and sizes.
     Similarity whole() const {
         Similarity motion;
         const Eigen::RowVector3d a = source_.vertices.colwise().mean(), b = target_.vertices.colwise().mean();
@@ -67,25 +68,25 @@ class Surroundings {
     }
 
     const TriangleMesh &source_, &target_;
-    const VertexMap& matched_;
+    const std::vector<Index>& matched_;
     std::vector<Index> anchors_;
-    std::optional<NearestNeighbors> nearest_;
+    std::optional<numerics::NearestNeighbors> nearest_;
 };
 
-// For groups too large for an assignment: each takes the nearest centre that is still free among its sixteen
+// For groups too large for an assignment: each takes the nearest center that is still free among its sixteen
 // nearest, the rest whatever is left.
 std::vector<Index> pair_greedily(const std::vector<Moments>& ours, const std::vector<Moments>& theirs) {
-    Points centres(static_cast<Eigen::Index>(theirs.size()), 3);
+    Points centers(static_cast<Eigen::Index>(theirs.size()), 3);
     for (std::size_t j = 0; j < theirs.size(); ++j)
-        centres.row(static_cast<Eigen::Index>(j)) = theirs[j].mean.transpose();
-    const NearestNeighbors nearest(std::move(centres));
+        centers.row(static_cast<Eigen::Index>(j)) = theirs[j].mean.transpose();
+    const numerics::NearestNeighbors nearest(std::move(centers));
     std::vector<Index> chosen(ours.size(), -1);
     std::vector<char> taken(theirs.size(), 0);
     for (std::size_t i = 0; i < ours.size(); ++i) {
         for (const auto& neighbor : nearest.closest(ours[i].mean.transpose(), 16)) {
-            if (taken[at(neighbor.index)] != 0) continue;
+            if (taken[to_size(neighbor.index)] != 0) continue;
             chosen[i] = neighbor.index;
-            taken[at(neighbor.index)] = 1;
+            taken[to_size(neighbor.index)] = 1;
             break;
         }
     }
@@ -121,7 +122,7 @@ std::vector<Index> pair_by_moments(const std::vector<Moments>& ours, const std::
 std::vector<PlacedPair> place_components(const TriangleMesh& source, const TriangleMesh& target,
                                          const std::vector<ComponentMesh>& source_parts,
                                          const std::vector<ComponentMesh>& target_parts,
-                                         const ComponentGroup& group, const VertexMap& matched,
+                                         const ComponentGroup& group, const std::vector<Index>& matched,
                                          std::pair<Index, Index> given) {
     const Surroundings surroundings(source, target, matched);
     std::vector<Moments> ours, theirs;
@@ -135,8 +136,8 @@ std::vector<PlacedPair> place_components(const TriangleMesh& source, const Trian
     }
     for (const std::size_t part : group.target) theirs.emplace_back(target_parts[part].mesh.vertices);
     const std::vector<Index> chosen = pair_by_moments(ours, theirs, given);
-    for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].target = at(chosen[i]);
+    for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].target = to_size(chosen[i]);
     return pairs;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "match/frontiers/side.hpp"
 
+#include "frontier/subtree_hash.hpp"
 #include "numerics/assignment.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/frontier/subtree_hash.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 namespace {
 
 double mean_length(const TriangleMesh& mesh, const Adjacency& adjacency) {
@@ -37,9 +37,10 @@ FrontierSide::FrontierSide(const TriangleMesh& m, const Adjacency& a, Index sour
       points((m.vertices.rowwise() - m.vertices.colwise().mean()) / mean_length(m, a)),
       frontiers(bfs_frontiers(a, source)),
       loops(frontier_loops(a, frontiers)),
-      place(at(m.n_vertices()), -1),
-      tree_hash(subtree_hashes(m, a, frontiers)) {
-    for (std::size_t i = 0; i < loops.order.size(); ++i) place[at(loops.order[i])] = static_cast<Index>(i);
+      slot(to_size(m.n_vertices()), -1),
+      subtree_hash(frontier::subtree_hashes(m, a, frontiers)) {
+    for (std::size_t i = 0; i < loops.order.size(); ++i)
+        slot[to_size(loops.order[i])] = static_cast<Index>(i);
 }
 
 Points rows_of(const Points& points, std::span<const Index> rows) {
@@ -51,12 +52,12 @@ Points rows_of(const Points& points, std::span<const Index> rows) {
 
 std::vector<Index> pair_up(const Matrix& cost, Pairing pairing) {
     if (cost.cols() == 0) return std::vector<Index>(static_cast<std::size_t>(cost.rows()), -1);
-    if (pairing == Pairing::optimal) return solve_assignment(cost);
+    if (pairing == Pairing::optimal) return numerics::solve_assignment(cost);
     std::vector<Index> result(static_cast<std::size_t>(cost.rows()));
-    for (Index i = 0; i < cost.rows(); ++i) result[at(i)] = closest_in(cost.row(i));
+    for (Index i = 0; i < cost.rows(); ++i) result[to_size(i)] = closest_in(cost.row(i));
     if (pairing == Pairing::closest) return result;
     for (Index i = 0; i < cost.rows(); ++i)
-        if (closest_in(cost.col(result[at(i)]).transpose()) != i) result[at(i)] = -1;
+        if (closest_in(cost.col(result[to_size(i)]).transpose()) != i) result[to_size(i)] = -1;
     return result;
 }
 
@@ -77,11 +78,11 @@ Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::s
 
 void require_same_frontiers(const FrontierSide& source, const FrontierSide& target) {
     const auto differ = [&](Index level, Index ours, Index theirs, const char* what) {
-        throw InvalidInput(
-            fmt::format("the frontiers of source vertex {} and target vertex {} differ first at level {}: {} "
-                        "{} against {}; "
-                        "the connectivity differs or these two vertices do not correspond",
-                        source.frontiers.source(), target.frontiers.source(), level, ours, what, theirs));
+        throw InvalidInput(fmt::format(
+            "the frontiers of source vertex {} and target vertex {} first differ at level {}: {} {} "
+            "in the source and {} in the target; the connectivity differs or these two vertices do not "
+            "correspond",
+            source.frontiers.source(), target.frontiers.source(), level, ours, what, theirs));
     };
     const Index n = source.frontiers.count(), m = target.frontiers.count();
     for (Index k = 0; k < std::max(n, m); ++k) {
@@ -91,11 +92,11 @@ void require_same_frontiers(const FrontierSide& source, const FrontierSide& targ
     }
     for (Index k = 0; k < n; ++k) {
         const auto count = [k](const FrontierLoops& l) {
-            return l.first_loop[at(k) + 1] - l.first_loop[at(k)];
+            return l.first_loop[to_size(k) + 1] - l.first_loop[to_size(k)];
         };
         if (count(source.loops) != count(target.loops))
-            differ(k, count(source.loops), count(target.loops), "connected pieces");
+            differ(k, count(source.loops), count(target.loops), "connected components");
     }
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/to_size.hpp"
+
 #include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
@@ -11,11 +13,9 @@
 #include <span>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::frontiers {
 
-inline std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-/// One connected mesh as its source vertex sees it.
+/// One connected mesh with its frontiers around a seed vertex.
 struct FrontierSide {
     FrontierSide(const TriangleMesh& mesh, const Adjacency& adjacency, Index source);
 
@@ -24,11 +24,11 @@ struct FrontierSide {
     Points points;  ///< in mean edge lengths, mean at the origin
     Frontiers frontiers;
     FrontierLoops loops;
-    std::vector<Index> place;              ///< per vertex: its place in loops.order
-    std::vector<std::uint64_t> tree_hash;  ///< subtree_hashes
+    std::vector<Index> slot;                  ///< per vertex: its position in loops.order
+    std::vector<std::uint64_t> subtree_hash;  ///< subtree_hashes
 };
 
-/// Vertices of the source mesh's frontier with vertices of the target's, or part of them.
+/// Pairs of vertices of corresponding frontiers.
 struct MatchedPairs {
     std::vector<Index> source, target;
     void add(Index s, Index t) {
@@ -46,7 +46,7 @@ std::vector<Index> pair_up(const Matrix& cost, Pairing pairing);
 Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::span<const Index> target,
                     const Points& target_points, const PairingMetric& metric);
 
-/// x moved onto y as published: centres of mass onto each other, then TPS-RPM from T = 10 S where S, the sum
+/// x moved onto y as published: centroids aligned, then TPS-RPM from T = 10 S where S, the sum
 /// of the squared distances to the closest points, is above the threshold per point. In mean edge lengths.
 Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold);
 
@@ -61,9 +61,9 @@ struct SideMatch {
 /// As published.
 SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
                                 const FrontiersOptions& options);
-/// Level by level, each guided by those before. `prior`: rotation of the target against the source where it
-/// is known, null to find it.
+/// Level by level, each guided by the previous ones. `prior`: rotation of the target against the source where
+/// it is known, null to find it.
 SideMatch match_frontiers_in_sequence(const FrontierSide& source, const FrontierSide& target,
                                       const FrontiersOptions& options, const Eigen::Matrix3d* prior);
 
-}  // namespace counterpart
+}  // namespace counterpart::frontiers

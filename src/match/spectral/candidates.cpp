@@ -4,7 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "match/spectral/extremity_matching.hpp"
-#include "match/spectral/poses.hpp"
+#include "match/spectral/extrinsic_candidates.hpp"
 
 #include <counterpart/spectral/functional_map.hpp>
 
@@ -14,9 +14,7 @@
 namespace counterpart::spectral_match {
 namespace {
 
-constexpr int start_size = 20;  // functions of the first functional map
-constexpr int coarse_size = 30;
-constexpr int pose_size = 5;  // alike poses tell little more than the coarsest functions do
+using Pairs = std::vector<std::pair<Index, Index>>;
 
 std::vector<int> sizes_between(int first, int last, int step) {
     std::vector<int> sizes;
@@ -31,20 +29,19 @@ Eigen::MatrixXd unit_columns(Eigen::MatrixXd m) {
 }
 
 // Coefficients of a shape's descriptors: wave kernel and curvature.
-Eigen::MatrixXd descriptor_coefficients(const Shape& shape, int k) {
+Eigen::MatrixXd descriptor_coefficients(const PreparedShape& shape, int k, const CandidateTuning& tuning) {
     const Eigen::MatrixXd dual =
         shape.basis.eigenfunctions.leftCols(k).transpose() * shape.basis.mass.asDiagonal();
-    const Eigen::MatrixXd wave = unit_columns(dual * shape.wave_kernel) * 0.2;
-    const Eigen::MatrixXd curvature = unit_columns(dual * shape.curvature) * 0.3;
+    const Eigen::MatrixXd wave = unit_columns(dual * shape.wave_kernel) * tuning.wave_kernel_weight;
+    const Eigen::MatrixXd curvature = unit_columns(dual * shape.curvature) * tuning.curvature_weight;
     Eigen::MatrixXd all(k, wave.cols() + curvature.cols());
     all << wave, curvature;
     return all;
 }
 
 // The same, followed by those of heat kernels at the given vertices.
-Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const Shape& shape,
-                                  const std::vector<Index>& vertices) {
-    const std::vector<double> times{0.005, 0.02, 0.06};
+Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const PreparedShape& shape,
+                                  const std::vector<Index>& vertices, const std::vector<double>& times) {
     const Eigen::Index k = descriptors.rows();
     Eigen::MatrixXd heat(k, static_cast<Eigen::Index>(vertices.size() * times.size()));
     Eigen::Index column = 0;
@@ -57,30 +54,95 @@ Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const Shap
     return all;
 }
 
-// A candidate's first two maps, enough to tell whether it is going to be like another one.
+// A candidate's first two maps, enough to tell whether it will resemble another one.
 struct Beginning {
     PairedMaps maps;
     int size = 0;  // functions that it is fitted to
 };
 
-Beginning begin(const SampledPair& pair, const PairedFunctionalMaps& start) {
-    const int size = std::min(static_cast<int>(start.a_from_b.rows()) + 1, coarse_size);
-    return {zoom_out(pair.points_a, pair.points_b, match_points(pair.points_a, pair.points_b, start), {size},
-                     false),
+// Stage 2 in its order: starts, growth, sign flips.
+class CandidateSearch {
+  public:
+    CandidateSearch(const SampledPair& pair, const CandidateTuning& tuning, const ProgressRange& progress)
+        : pair_(pair), tuning_(tuning), progress_(progress), distance_(pair) {}
+
+    void add_from_anchors(const std::vector<Pairs>& anchors);
+    void add_extrinsic();
+    void add_flipped();
+    std::vector<Candidate> best();
+
+  private:
+    Beginning begin(const PairedFunctionalMaps& start) const;
+    Candidate grow(Beginning beginning) const;
+    void add_grown(std::vector<Beginning> beginnings);
+    std::vector<Beginning> flips();
+    std::vector<Beginning> unknown(std::vector<Beginning> beginnings);
+
+    const SampledPair& pair_;
+    const CandidateTuning& tuning_;
+    const ProgressRange progress_;
+    const MapDistance distance_;
+    std::vector<Candidate> candidates_;
+    std::vector<PairedMaps> known_flips_;
+};
+
+Beginning CandidateSearch::begin(const PairedFunctionalMaps& start) const {
+    progress_.check();
+    const int size = std::min(static_cast<int>(start.a_from_b.rows()) + 1, tuning_.last_size);
+    return {zoom_out(pair_.points_a, pair_.points_b, match_points(pair_.points_a, pair_.points_b, start),
+                     {size}, false),
             size};
 }
 
-Candidate grow(const SampledPair& pair, Beginning beginning) {
+Candidate CandidateSearch::grow(Beginning beginning) const {
+    progress_.check();
+    const int last = tuning_.last_size, step = tuning_.size_step;
     Candidate candidate;
-    candidate.maps =
-        zoom_out(pair.points_a, pair.points_b, std::move(beginning.maps),
-                 sizes_between(std::min(beginning.size + 5, coarse_size), coarse_size, 5), false);
-    candidate.functional =
-        fit_functional_maps(pair.points_a, pair.points_b, candidate.maps, coarse_size, false);
-    candidate.scores = score_maps(pair, candidate.maps, candidate.functional, coarse_score);
+    candidate.maps = zoom_out(pair_.points_a, pair_.points_b, std::move(beginning.maps),
+                              sizes_between(std::min(beginning.size + step, last), last, step), false);
+    candidate.functional = fit_functional_maps(pair_.points_a, pair_.points_b, candidate.maps, last, false);
+    candidate.scores = score_maps(pair_, candidate.maps, candidate.functional, tuning_.score);
     return candidate;
 }
 
+void CandidateSearch::add_grown(std::vector<Beginning> beginnings) {
+    const std::size_t n_before = candidates_.size();
+    candidates_.resize(n_before + beginnings.size());
+    parallel_for(beginnings.size(), 1,
+                 [&](std::size_t i) { candidates_[n_before + i] = grow(std::move(beginnings[i])); });
+}
+
+// C with C F_B = F_A by least squares over descriptors and heat kernels at the anchors.
+void CandidateSearch::add_from_anchors(const std::vector<Pairs>& anchors) {
+    const PreparedShape &a = pair_.a, &b = pair_.b;
+    const int k = std::min({tuning_.first_size, a.basis.size(), b.basis.size()});
+    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(a, k, tuning_),
+                          descriptors_b = descriptor_coefficients(b, k, tuning_);
+    std::vector<Beginning> beginnings(anchors.size());
+    parallel_for(anchors.size(), 1, [&](std::size_t i) {
+        std::vector<Index> on_a, on_b;
+        for (const auto& [va, vb] : anchors[i]) {
+            on_a.push_back(va);
+            on_b.push_back(vb);
+        }
+        const MatrixF c = fit_functional_map(with_heat_kernels(descriptors_a, a, on_a, tuning_.heat_times),
+                                             a.basis.eigenvalues,
+                                             with_heat_kernels(descriptors_b, b, on_b, tuning_.heat_times),
+                                             b.basis.eigenvalues)
+                              .cast<float>();
+        beginnings[i] = begin({c, c.transpose()});
+    });
+    add_grown(std::move(beginnings));
+}
+
+void CandidateSearch::add_extrinsic() {
+    std::vector<Beginning> beginnings;
+    for (PairedMaps& maps : extrinsic_candidates(pair_, tuning_.extrinsic.n_iterations))
+        beginnings.push_back({std::move(maps), tuning_.extrinsic.n_functions});
+    add_grown(std::move(beginnings));
+}
+
+// The functional maps of a candidate's first columns, the last of them negated.
 PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
     const int k = column + 1;
     PairedFunctionalMaps result{maps.a_from_b.topLeftCorner(k, k), maps.b_from_a.topLeftCorner(k, k)};
@@ -89,14 +151,59 @@ PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
     return result;
 }
 
-using Pairs = std::vector<std::pair<Index, Index>>;
+// Of the best candidates that were not varied before.
+std::vector<Beginning> CandidateSearch::flips() {
+    std::vector<std::pair<std::size_t, int>> flips;
+    std::size_t n_chosen = 0;
+    for (std::size_t i = 0; i < candidates_.size() && n_chosen < tuning_.n_flipped; ++i) {
+        if (candidates_[i].was_flipped) continue;
+        candidates_[i].was_flipped = true;
+        ++n_chosen;
+        const MatrixF& map = candidates_[i].functional.a_from_b;
+        const auto last =
+            static_cast<int>(std::min({Eigen::Index{tuning_.last_flip}, map.rows() - 1, map.cols() - 1}));
+        for (int column = tuning_.first_flip; column <= last; ++column) flips.emplace_back(i, column);
+    }
+    std::vector<Beginning> beginnings(flips.size());
+    parallel_for(flips.size(), 1, [&](std::size_t f) {
+        beginnings[f] = begin(flipped(candidates_[flips[f].first].functional, flips[f].second));
+    });
+    return beginnings;
+}
+
+// Those unlike all flips before, which they join.
+std::vector<Beginning> CandidateSearch::unknown(std::vector<Beginning> beginnings) {
+    std::vector<Beginning> fresh;
+    for (Beginning& beginning : beginnings) {
+        const bool is_new =
+            std::all_of(known_flips_.begin(), known_flips_.end(), [&](const PairedMaps& other) {
+                return distance_(beginning.maps, other) >= tuning_.min_new_difference;
+            });
+        if (!is_new) continue;
+        known_flips_.push_back(beginning.maps);
+        fresh.push_back(std::move(beginning));
+    }
+    return fresh;
+}
+
+void CandidateSearch::add_flipped() {
+    keep_distinct(candidates_, distance_, tuning_.min_difference, candidates_.size());
+    for (int round = 0; round < tuning_.n_flip_rounds; ++round) {
+        progress_.reach(0.2 + 0.8 * round / tuning_.n_flip_rounds);
+        add_grown(unknown(flips()));
+        keep_distinct(candidates_, distance_, tuning_.min_difference, tuning_.n_pool);
+    }
+}
+
+std::vector<Candidate> CandidateSearch::best() {
+    if (candidates_.size() > tuning_.n_kept) candidates_.resize(tuning_.n_kept);
+    return std::move(candidates_);
+}
 
 // Vertices that starts take as corresponding; an empty list means descriptors alone.
-std::vector<Pairs> anchors(const SampledPair& pair, const Pairs& landmarks) {
-    constexpr std::size_t n_matchings = 24;
-    if (!landmarks.empty()) return {landmarks};
+std::vector<Pairs> anchors(const SampledPair& pair, const ExtremityTuning& tuning) {
     std::vector<Pairs> result;
-    for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, n_matchings)) {
+    for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, tuning)) {
         result.emplace_back();
         for (const auto& [i, j] : matching.pairs)
             result.back().emplace_back(pair.a.extremities[static_cast<std::size_t>(i)].vertex,
@@ -106,152 +213,19 @@ std::vector<Pairs> anchors(const SampledPair& pair, const Pairs& landmarks) {
     return result;
 }
 
-std::vector<Candidate> grown_from_anchors(const SampledPair& pair, const std::vector<Pairs>& anchors) {
-    const int k = std::min({start_size, pair.a.basis.size(), pair.b.basis.size()});
-    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(pair.a, k),
-                          descriptors_b = descriptor_coefficients(pair.b, k);
-    std::vector<Candidate> candidates(anchors.size());
-    parallel_for(anchors.size(), 1, [&](std::size_t i) {
-        std::vector<Index> on_a, on_b;
-        for (const auto& [va, vb] : anchors[i]) {
-            on_a.push_back(va);
-            on_b.push_back(vb);
-        }
-        const MatrixF c =
-            fit_functional_map(with_heat_kernels(descriptors_a, pair.a, on_a), pair.a.basis.eigenvalues,
-                               with_heat_kernels(descriptors_b, pair.b, on_b), pair.b.basis.eigenvalues)
-                .cast<float>();
-        candidates[i] = grow(pair, begin(pair, {c, c.transpose()}));
-    });
-    return candidates;
-}
-
-void add_grown(std::vector<Candidate>& candidates, const SampledPair& pair,
-               std::vector<Beginning> beginnings) {
-    const std::size_t n_before = candidates.size();
-    candidates.resize(n_before + beginnings.size());
-    parallel_for(beginnings.size(), 1,
-                 [&](std::size_t i) { candidates[n_before + i] = grow(pair, std::move(beginnings[i])); });
-}
-
-// The sign flips of the best candidates that were not varied before.
-std::vector<Beginning> variations(const SampledPair& pair, std::vector<Candidate>& candidates) {
-    constexpr std::size_t n_varied = 24;
-    constexpr Eigen::Index first_flip = 5, last_flip = 17;
-    std::vector<std::pair<std::size_t, int>> flips;
-    std::size_t chosen = 0;
-    for (std::size_t i = 0; i < candidates.size() && chosen < n_varied; ++i) {
-        if (candidates[i].varied) continue;
-        candidates[i].varied = true;
-        ++chosen;
-        const MatrixF& map = candidates[i].functional.a_from_b;
-        const Eigen::Index last = std::min({last_flip, map.rows() - 1, map.cols() - 1});
-        for (Eigen::Index column = first_flip; column <= last; ++column)
-            flips.emplace_back(i, static_cast<int>(column));
-    }
-    std::vector<Beginning> beginnings(flips.size());
-    parallel_for(flips.size(), 1, [&](std::size_t f) {
-        beginnings[f] = begin(pair, flipped(candidates[flips[f].first].functional, flips[f].second));
-    });
-    return beginnings;
-}
-
-// Those unlike all in `known`, which they join.
-std::vector<Beginning> unknown(std::vector<Beginning> beginnings, const MapDistance& distance,
-                               std::vector<PairedMaps>& known) {
-    constexpr double least_difference = 0.03;
-    std::vector<Beginning> fresh;
-    for (Beginning& beginning : beginnings) {
-        const bool is_new = std::all_of(known.begin(), known.end(), [&](const PairedMaps& other) {
-            return distance(beginning.maps, other) >= least_difference;
-        });
-        if (!is_new) continue;
-        known.push_back(beginning.maps);
-        fresh.push_back(std::move(beginning));
-    }
-    return fresh;
-}
-
 }  // namespace
 
-MapDistance::MapDistance(const SampledPair& pair) : a_(pair.a), b_(pair.b) {
-    const auto nearest = [](const Shape& shape, Index n_samples) {
-        std::vector<Index> result;
-        for (Index s = 0; s < n_samples; ++s) {
-            Eigen::Index row = 0;
-            shape.sample_distances.col(shape.samples[static_cast<std::size_t>(s)]).minCoeff(&row);
-            result.push_back(static_cast<Index>(row));
-        }
-        return result;
-    };
-    nearest_a_ = nearest(a_, pair.points_a.size());
-    nearest_b_ = nearest(b_, pair.points_b.size());
-}
-
-double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
-    const auto mean = [](const Shape& to, const std::vector<Index>& nearest, const std::vector<Index>& f,
-                         const std::vector<Index>& g) {
-        double sum = 0;
-        for (std::size_t s = 0; s < f.size(); ++s) {
-            const Index i = nearest[static_cast<std::size_t>(f[s])],
-                        j = nearest[static_cast<std::size_t>(g[s])];
-            sum += to.sample_distances(i, to.samples[static_cast<std::size_t>(j)]);
-        }
-        return sum / static_cast<double>(std::max<std::size_t>(f.size(), 1));
-    };
-    return (mean(b_, nearest_b_, x.b_from_a, y.b_from_a) + mean(a_, nearest_a_, x.a_from_b, y.a_from_b)) / 2;
-}
-
-double MapDistance::on_b(Index sample, Index other) const {
-    return b_.sample_distances(
-        nearest_b_[static_cast<std::size_t>(sample)],
-        b_.samples[static_cast<std::size_t>(nearest_b_[static_cast<std::size_t>(other)])]);
-}
-
-double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const {
-    std::size_t count = 0;
-    for (std::size_t s = 0; s < x.b_from_a.size(); ++s) {
-        const Index i = nearest_b_[static_cast<std::size_t>(x.b_from_a[s])];
-        const Index j = nearest_b_[static_cast<std::size_t>(y.b_from_a[s])];
-        if (b_.sample_distances(i, b_.samples[static_cast<std::size_t>(j)]) > distance) ++count;
-    }
-    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
-}
-
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double least,
-                   std::size_t count) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
-    std::vector<Candidate> kept;
-    for (Candidate& candidate : candidates) {
-        if (kept.size() == count) break;
-        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-            return distance(candidate.maps, other.maps) >= least;
-        });
-        if (is_new) kept.push_back(std::move(candidate));
-    }
-    candidates = std::move(kept);
-}
-
-std::vector<Candidate> find_candidates(const SampledPair& pair, const Pairs& landmarks, std::size_t count) {
-    constexpr std::size_t n_pool = 60;
-    constexpr int n_rounds = 2;
-    constexpr double least_difference = 0.05;
-    std::vector<Candidate> candidates = grown_from_anchors(pair, anchors(pair, landmarks));
+std::vector<Candidate> find_candidates(const SampledPair& pair, const Pairs& landmarks,
+                                       const CandidateTuning& tuning, const ProgressRange& progress) {
+    CandidateSearch search(pair, tuning, progress);
     if (landmarks.empty()) {
-        std::vector<Beginning> posed;
-        for (PairedMaps& maps : maps_between_poses(pair)) posed.push_back({std::move(maps), pose_size});
-        add_grown(candidates, pair, std::move(posed));
+        search.add_from_anchors(anchors(pair, tuning.extremities));
+        if (tuning.extrinsic.enabled) search.add_extrinsic();
+    } else {
+        search.add_from_anchors({landmarks});
     }
-    const MapDistance distance(pair);
-    keep_distinct(candidates, distance, least_difference, candidates.size());
-    std::vector<PairedMaps> known;
-    for (int round = 0; round < n_rounds; ++round) {
-        add_grown(candidates, pair, unknown(variations(pair, candidates), distance, known));
-        keep_distinct(candidates, distance, least_difference, n_pool);
-    }
-    if (candidates.size() > count) candidates.resize(count);
-    return candidates;
+    search.add_flipped();
+    return search.best();
 }
 
 }  // namespace counterpart::spectral_match

@@ -19,14 +19,17 @@ struct ElasticFit::System {
     Points rest;
     SparseMatrix stiffness;
     Vector mass;
+    double min_scale, max_scale;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
 };
 
-ElasticFit::ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian)
+ElasticFit::ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning)
     : system_(std::make_unique<System>()) {
     system_->rest = rest;
     system_->stiffness = laplacian.stiffness;
     system_->mass = laplacian.mass;
+    system_->min_scale = tuning.min_scale;
+    system_->max_scale = tuning.max_scale;
     for (Eigen::Index v = 0; v < rest.rows(); ++v) system_->stiffness.coeffRef(v, v) += 0;  // in the pattern
     system_->factor.analyzePattern(system_->stiffness);
 }
@@ -35,7 +38,7 @@ ElasticFit::~ElasticFit() = default;
 
 namespace {
 
-// The rotation and scale that best take the rest neighbourhood of each vertex into the present one: limbs of
+// The rotation and scale that best take the rest neighborhood of each vertex into the present one: limbs of
 // two individuals are not equally thick. Bounded, so that nothing vanishes.
 struct Similarity {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -46,10 +49,9 @@ struct Similarity {
 
 // Rotations are followed from the ones before, if there are any (`similarities` may be empty).
 void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness, const Points& rest,
-            const Points& now) {
+            const Points& now, double min_scale, double max_scale) {
     const bool is_first = similarities.empty();
     similarities.resize(static_cast<std::size_t>(rest.rows()));
-    constexpr double smallest = 0.3, largest = 3;
     parallel_for(similarities.size(), 256, [&](std::size_t i) {
         const auto v = static_cast<Eigen::Index>(i);
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -62,12 +64,12 @@ void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness
         }
         Similarity& similarity = similarities[i];
         similarity.rotation =
-            is_first
-                ? fit_rotation(covariance).rotation
-                : follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation)).toRotationMatrix();
+            is_first ? numerics::fit_rotation(covariance).rotation
+                     : numerics::follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation))
+                           .toRotationMatrix();
         if (squares > 0)
-            similarity.scale =
-                std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares, smallest, largest);
+            similarity.scale = std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares,
+                                          min_scale, max_scale);
     });
 }
 
@@ -90,7 +92,7 @@ Points moved_differences(const SparseMatrix& stiffness, const Points& rest,
 }  // namespace
 
 Points ElasticFit::operator()(const Points& towards, const Points& start, double stiffness_length,
-                              int iterations) {
+                              int n_iterations, const ProgressRange& progress) {
     const Vector pull = system_->mass / (stiffness_length * stiffness_length);
     SparseMatrix sum = system_->stiffness;
     for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
@@ -100,8 +102,9 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
     Points now = start;
     const Eigen::MatrixXd pulled = pull.asDiagonal() * towards;
     std::vector<Similarity> similarities;
-    for (int i = 0; i < iterations; ++i) {
-        follow(similarities, system_->stiffness, system_->rest, now);
+    for (int i = 0; i < n_iterations; ++i) {
+        progress.check();
+        follow(similarities, system_->stiffness, system_->rest, now, system_->min_scale, system_->max_scale);
         const Eigen::MatrixXd right =
             pulled + moved_differences(system_->stiffness, system_->rest, similarities);
         now = system_->factor.solve(right);
@@ -111,7 +114,7 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
 
 double ElasticFit::strain(const Points& now) const {
     std::vector<Similarity> similarities;
-    follow(similarities, system_->stiffness, system_->rest, now);
+    follow(similarities, system_->stiffness, system_->rest, now, system_->min_scale, system_->max_scale);
     double left = 0, all = 0;
     for (std::size_t i = 0; i < similarities.size(); ++i) {
         const auto v = static_cast<Eigen::Index>(i);

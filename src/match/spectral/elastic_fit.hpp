@@ -2,25 +2,30 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "match/spectral/progress_range.hpp"
+#include "match/spectral/tuning.hpp"
+
 #include <counterpart/spectral/laplacian.hpp>
 
 #include <memory>
 
 namespace counterpart::spectral_match {
 
-/// Moves a surface towards given positions while its neighbourhoods stay as similar as possible (Sorkine and
-/// Alexa 2007, with soft positions and a scale for each neighbourhood).
+/// Moves a surface towards given positions while its neighborhoods stay as similar as possible (Sorkine and
+/// Alexa 2007, with soft positions and a scale for each neighborhood).
 class ElasticFit {
   public:
-    ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian);
+    /// Of `tuning` the bounds of a neighborhood's scale.
+    ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning = {});
     ~ElasticFit();
 
     /// Lowers sum w_ij |(x_i - x_j) - s_i R_i (rest_i - rest_j)|^2 + mu sum m_i |x_i - towards_i|^2 in turns
     /// over similarities and positions, from x = `start`. Positions are followed on features longer than
-    /// `stiffness_length` = mu^-1/2, in mesh units; neighbourhoods stay similar below it.
-    Points operator()(const Points& towards, const Points& start, double stiffness_length, int iterations);
+    /// `stiffness_length` = mu^-1/2, in mesh units; neighborhoods stay similar below it.
+    Points operator()(const Points& towards, const Points& start, double stiffness_length, int n_iterations,
+                      const ProgressRange& progress = {});
 
-    /// What the best similarity of each neighbourhood leaves of `now`, relative to its size: 0 = a similarity
+    /// What the best similarity of each neighborhood leaves of `now`, relative to its size: 0 = a similarity
     /// everywhere, at most 1.
     double strain(const Points& now) const;
 

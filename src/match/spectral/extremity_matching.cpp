@@ -8,29 +8,28 @@
 namespace counterpart::spectral_match {
 namespace {
 
-constexpr std::size_t beam_width = 2000;
-constexpr double average_weight = 0.5, skip_cost = 0.25;
-constexpr std::size_t least_pairs = 3;
-
 struct Partial {
     std::vector<int> partner;  // of each extremity of A so far; -1 = skipped
     double pair_cost = 0;      // sum over pairs of matched extremities
     double own_cost = 0;       // sum over matched extremities
     int n_matched = 0, n_skipped = 0;
 
-    double cost() const { return (pair_cost + own_cost) / std::max(n_matched, 1) + skip_cost * n_skipped; }
+    double cost(double skip_cost) const {
+        return (pair_cost + own_cost) / std::max(n_matched, 1) + skip_cost * n_skipped;
+    }
 };
 
-bool cheaper(const Partial& x, const Partial& y) {
-    return x.cost() != y.cost() ? x.cost() < y.cost() : x.partner < y.partner;
-}
-
-double between(const Shape& shape, int i, int j) {
+double between(const PreparedShape& shape, int i, int j) {
     return shape.extremity_distances(i, shape.extremities[static_cast<std::size_t>(j)].vertex);
 }
 
 // Extremities of A in order, each to a free one of B or skipped; the best `beam_width` go on.
-std::vector<Partial> beam_search(const Shape& a, const Shape& b) {
+std::vector<Partial> beam_search(const PreparedShape& a, const PreparedShape& b,
+                                 const ExtremityTuning& tuning) {
+    const auto cheaper = [&](const Partial& x, const Partial& y) {
+        const double cost_x = x.cost(tuning.skip_cost), cost_y = y.cost(tuning.skip_cost);
+        return cost_x != cost_y ? cost_x < cost_y : x.partner < y.partner;
+    };
     std::vector<Partial> beam(1);
     const int na = static_cast<int>(a.extremities.size()), nb = static_cast<int>(b.extremities.size());
     for (int i = 0; i < na; ++i) {
@@ -48,15 +47,15 @@ std::vector<Partial> beam_search(const Shape& a, const Shape& b) {
                     const int l = partial.partner[static_cast<std::size_t>(k)];
                     if (l >= 0) next.pair_cost += std::abs(between(a, i, k) - between(b, j, l));
                 }
-                next.own_cost +=
-                    average_weight * std::abs(a.extremities[static_cast<std::size_t>(i)].average_distance -
-                                              b.extremities[static_cast<std::size_t>(j)].average_distance);
+                next.own_cost += tuning.average_weight *
+                                 std::abs(a.extremities[static_cast<std::size_t>(i)].average_distance -
+                                          b.extremities[static_cast<std::size_t>(j)].average_distance);
                 next.partner.push_back(j);
                 ++next.n_matched;
                 grown.push_back(std::move(next));
             }
         }
-        const std::size_t kept = std::min(beam_width, grown.size());
+        const std::size_t kept = std::min(tuning.beam_width, grown.size());
         std::partial_sort(grown.begin(), grown.begin() + static_cast<std::ptrdiff_t>(kept), grown.end(),
                           cheaper);
         grown.resize(kept);
@@ -68,9 +67,10 @@ std::vector<Partial> beam_search(const Shape& a, const Shape& b) {
 
 // For each distance sample of A the vertex of B, among its distance samples, at the most similar distances
 // from the matched extremities.
-std::vector<int> crude_map(const Shape& a, const Shape& b, const ExtremityMatching& matching) {
+std::vector<int> crude_map(const PreparedShape& a, const PreparedShape& b,
+                           const ExtremityMatching& matching) {
     const auto n = static_cast<Eigen::Index>(matching.pairs.size());
-    const auto rows = [&](const Shape& shape, bool first) {
+    const auto rows = [&](const PreparedShape& shape, bool first) {
         MatrixF vectors(shape.sample_distances.rows(), n);
         for (Eigen::Index s = 0; s < vectors.rows(); ++s)
             for (Eigen::Index p = 0; p < n; ++p) {
@@ -84,7 +84,7 @@ std::vector<int> crude_map(const Shape& a, const Shape& b, const ExtremityMatchi
     return best_partners(x, y, x.rowwise().squaredNorm() / 2, y.rowwise().squaredNorm() / 2).of_row;
 }
 
-double mean_distance(const Shape& b, const std::vector<int>& map, const std::vector<int>& other) {
+double mean_distance(const PreparedShape& b, const std::vector<int>& map, const std::vector<int>& other) {
     double sum = 0;
     for (std::size_t s = 0; s < map.size(); ++s)
         sum += b.sample_distances(map[s], b.samples[static_cast<std::size_t>(other[s])]);
@@ -93,14 +93,14 @@ double mean_distance(const Shape& b, const std::vector<int>& map, const std::vec
 
 }  // namespace
 
-std::vector<ExtremityMatching> match_extremities(const Shape& a, const Shape& b, std::size_t count) {
-    constexpr double least_difference = 0.08;
+std::vector<ExtremityMatching> match_extremities(const PreparedShape& a, const PreparedShape& b,
+                                                 const ExtremityTuning& tuning) {
     std::vector<ExtremityMatching> all;
     const auto collect = [&](const std::vector<Partial>& beam, bool reversed) {
         for (const Partial& partial : beam) {
-            if (static_cast<std::size_t>(partial.n_matched) < least_pairs) continue;
+            if (static_cast<std::size_t>(partial.n_matched) < tuning.min_pairs) continue;
             ExtremityMatching matching;
-            matching.cost = partial.cost();
+            matching.cost = partial.cost(tuning.skip_cost);
             for (int i = 0; i < static_cast<int>(partial.partner.size()); ++i) {
                 const int j = partial.partner[static_cast<std::size_t>(i)];
                 if (j >= 0) matching.pairs.emplace_back(reversed ? j : i, reversed ? i : j);
@@ -109,18 +109,18 @@ std::vector<ExtremityMatching> match_extremities(const Shape& a, const Shape& b,
             all.push_back(std::move(matching));
         }
     };
-    collect(beam_search(a, b), false);
-    collect(beam_search(b, a), true);
+    collect(beam_search(a, b, tuning), false);
+    collect(beam_search(b, a, tuning), true);
     std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) {
         return x.cost != y.cost ? x.cost < y.cost : x.pairs < y.pairs;
     });
     std::vector<ExtremityMatching> kept;
     std::vector<std::vector<int>> maps;
     for (const ExtremityMatching& matching : all) {
-        if (kept.size() == count) break;
+        if (kept.size() == tuning.n_matchings) break;
         std::vector<int> map = crude_map(a, b, matching);
         const bool is_new = std::all_of(maps.begin(), maps.end(), [&](const std::vector<int>& other) {
-            return mean_distance(b, map, other) >= least_difference;
+            return mean_distance(b, map, other) >= tuning.min_difference;
         });
         if (!is_new) continue;
         kept.push_back(matching);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Which extremity of A is which of B: partial matchings that keep geodesic distances.
+// Stage 2a. Which extremity of A is which of B: partial matchings that keep geodesic distances.
 #pragma once
 
-#include "match/spectral/shape.hpp"
+#include "match/spectral/prepared_shape.hpp"
 
 #include <utility>
 #include <vector>
@@ -16,7 +16,8 @@ struct ExtremityMatching {
     double cost = 0;
 };
 
-/// At most `count` matchings by increasing cost, any two of which mean different maps.
-std::vector<ExtremityMatching> match_extremities(const Shape& a, const Shape& b, std::size_t count);
+/// By increasing cost, any two of which mean different maps.
+std::vector<ExtremityMatching> match_extremities(const PreparedShape& a, const PreparedShape& b,
+                                                 const ExtremityTuning& tuning);
 
 }  // namespace counterpart::spectral_match

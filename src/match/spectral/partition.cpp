@@ -19,11 +19,13 @@ double bump(double x) { return (1 - x) * (1 - x) * (1 + 2 * x); }
 }  // namespace
 
 SparseMatrix partition_of_unity(const DistanceGraph& graph, std::span<const Index> samples,
-                                std::span<const Index> nearest, double radius) {
+                                std::span<const Index> nearest, double radius,
+                                const ProgressRange& progress) {
     std::vector<std::vector<std::pair<Index, double>>> columns(samples.size());
     parallel_for_with(
-        samples.size(), 1, [&] { return Dijkstra(graph); },
-        [&](Dijkstra& dijkstra, std::size_t s) {
+        samples.size(), 1, [&] { return geodesic::Dijkstra(graph); },
+        [&](geodesic::Dijkstra& dijkstra, std::size_t s) {
+            progress.check();
             dijkstra.search(std::array{samples[s]}, {.radius = radius});
             std::vector<Index> reached = dijkstra.visited();
             std::sort(reached.begin(), reached.end());

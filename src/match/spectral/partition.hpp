@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "match/spectral/progress_range.hpp"
+
 #include <counterpart/geodesic/distance_graph.hpp>
 
 #include <span>
@@ -11,6 +13,7 @@ namespace counterpart::spectral_match {
 /// V x samples: smooth bumps of the given geodesic radius around the samples, each row divided by its sum. A
 /// vertex out of reach of all samples gets the sample named in `nearest` alone.
 SparseMatrix partition_of_unity(const DistanceGraph& graph, std::span<const Index> samples,
-                                std::span<const Index> nearest, double radius);
+                                std::span<const Index> nearest, double radius,
+                                const ProgressRange& progress = {});
 
 }  // namespace counterpart::spectral_match

@@ -3,7 +3,7 @@
 #include "match/spectral/refinement.hpp"
 
 #include "match/spectral/elastic_fit.hpp"
-#include "match/spectral/local_search.hpp"
+#include "match/spectral/restricted_nearest.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -15,51 +15,55 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// Curvature at four scales and eight wave kernel columns, each of mean 0 and variance 1.
-MatrixF features(const Shape& shape, float weight) {
-    Eigen::MatrixXd all(shape.mesh.n_vertices(), 12);
-    for (int j = 0; j < 4; ++j) all.col(j) = shape.curvature.col(j);
-    for (int j = 0; j < 8; ++j) all.col(4 + j) = shape.wave_kernel.col(j * 5 + 2);
+// Curvature at all scales and some wave kernel columns, each of mean 0 and variance 1.
+MatrixF features(const PreparedShape& shape, const RefinementTuning& tuning) {
+    const Eigen::Index n_scales = shape.curvature.cols(), n = n_scales + tuning.n_wave_kernel;
+    const Eigen::Index stride = shape.wave_kernel.cols() / tuning.n_wave_kernel;
+    Eigen::MatrixXd all(shape.mesh.n_vertices(), n);
+    all.leftCols(n_scales) = shape.curvature;
+    for (Eigen::Index j = 0; j < tuning.n_wave_kernel; ++j)
+        all.col(n_scales + j) = shape.wave_kernel.col(j * stride + stride / 2);
     const Vector mass = shape.basis.mass / shape.basis.mass.sum();
-    for (int j = 0; j < 12; ++j) {
+    for (Eigen::Index j = 0; j < n; ++j) {
         all.col(j).array() -= mass.dot(all.col(j));
         all.col(j) /= std::sqrt(std::max(mass.dot(all.col(j).cwiseAbs2()), 1e-20));
     }
     // The embedding's squared length is about its number of functions.
-    return all.cast<float>() * weight;
+    return all.cast<float>() * tuning.feature_weight;
 }
 
 // Positions and normals, weighted.
-MatrixF placement(const Points& positions, const Points& normals, const RefineOptions& options) {
+MatrixF placement(const Points& positions, const Points& normals, const RefinementTuning& tuning) {
     MatrixF all(positions.rows(), 6);
-    all << positions.cast<float>() * options.position_weight, normals.cast<float>() * options.normal_weight;
+    all << positions.cast<float>() * tuning.position_weight, normals.cast<float>() * tuning.normal_weight;
     return all;
 }
 
 // A surface on its way to where the other one is.
 class BentSurface {
   public:
-    BentSurface(const Shape& shape, const Shape& other)
-        : shape_(shape), other_(other), fit_(shape.mesh.vertices, shape.laplacian) {}
+    BentSurface(const PreparedShape& shape, const PreparedShape& other, const RefinementTuning& tuning)
+        : shape_(shape), other_(other), tuning_(tuning), fit_(shape.mesh.vertices, shape.laplacian, tuning) {}
 
-    void bend(const std::vector<Index>& image, double stiffness_length, int iterations) {
+    void bend(const std::vector<Index>& image, double stiffness_length, const ProgressRange& progress) {
         Points images(shape_.mesh.vertices.rows(), 3);
         for (std::size_t v = 0; v < image.size(); ++v)
             images.row(static_cast<Eigen::Index>(v)) = other_.mesh.vertices.row(image[v]);
         const Points start = positions_.rows() > 0 ? positions_ : images;
-        positions_ = fit_(images, start, stiffness_length, iterations);
+        positions_ = fit_(images, start, stiffness_length, tuning_.n_iterations, progress);
     }
 
-    MatrixF placement(const RefineOptions& options) const {
+    MatrixF placement() const {
         const Points normals = vertex_normals({positions_, shape_.mesh.triangles});
-        return spectral_match::placement(positions_, normals, options);
+        return spectral_match::placement(positions_, normals, tuning_);
     }
 
-    double strain() const { return fit_.strain(positions_); }
+    double strain() const { return positions_.rows() > 0 ? fit_.strain(positions_) : 0; }
 
   private:
-    const Shape& shape_;
-    const Shape& other_;
+    const PreparedShape& shape_;
+    const PreparedShape& other_;
+    const RefinementTuning& tuning_;
     ElasticFit fit_;
     Points positions_;
 };
@@ -72,28 +76,37 @@ MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
 
 }  // namespace
 
-Refined refine(const Shape& a, const Shape& b, const Candidate& start, const RefineOptions& options) {
+Refined refine(const PreparedShape& a, const PreparedShape& b, const Candidate& start,
+               const RefinementTuning& tuning, const ProgressRange& progress) {
     const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
-    const MatrixF features_a = features(a, options.feature_weight),
-                  features_b = features(b, options.feature_weight);
-    // Not among all functions: their details would hold unlike bodies fast where isometry put them.
+    const MatrixF features_a = features(a, tuning), features_b = features(b, tuning);
+    // Not among all functions: their details would pin dissimilar bodies where isometry put them.
     PairedMaps maps = match_points_nearby(
-        a, b, fit_functional_maps(pair.points_a, pair.points_b, start.maps, options.begin, true),
-        spread(a, b, start.maps), 2, {features_a, features_b});
-    const MatrixF own_a = placement(a.mesh.vertices, a.normals, options),
-                  own_b = placement(b.mesh.vertices, b.normals, options);
-    BentSurface bent_a(a, b), bent_b(b, a);
-    const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > 3 * large_mesh;
-    const int n_rounds = is_huge ? options.rounds_if_huge : options.rounds;
+        a, b,
+        fit_functional_maps(pair.points_a, pair.points_b, start.maps, tuning.first_match_size, tuning.masked),
+        spread(a, b, start.maps), tuning.first_rings, {features_a, features_b}, progress);
+    const MatrixF own_a = placement(a.mesh.vertices, a.normals, tuning),
+                  own_b = placement(b.mesh.vertices, b.normals, tuning);
+    BentSurface bent_a(a, b, tuning), bent_b(b, a, tuning);
+    const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > tuning.huge_mesh;
+    const int n_rounds = is_huge ? tuning.n_rounds_if_huge : tuning.n_rounds;
+    const Progress checking = [&](double) {
+        progress.check();
+        return true;
+    };
     for (int round = 0; round < n_rounds; ++round) {
+        progress.reach((round + 1.0) / (n_rounds + 1.0));
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
-        const double length = options.first_length * std::pow(options.last_length / options.first_length, t);
-        const int k = options.first + static_cast<int>(t * (options.last - options.first));
-        tbb::parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, options.iterations); },
-                             [&] { bent_b.bend(maps.a_from_b, length, options.iterations); });
-        maps = match_points_nearby(a, b, fit_functional_maps(a.all, b.all, maps, k, true), maps, 1,
-                                   {side_by_side(features_a, bent_a.placement(options), own_a),
-                                    side_by_side(features_b, own_b, bent_b.placement(options))});
+        const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);
+        const int k = tuning.first_size + static_cast<int>(t * (tuning.last_size - tuning.first_size));
+        tbb::parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
+                             [&] { bent_b.bend(maps.a_from_b, length, progress); });
+        const PairedFunctionalMaps functional =
+            fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking);
+        maps = match_points_nearby(a, b, functional, maps, tuning.rings,
+                                   {side_by_side(features_a, bent_a.placement(), own_a),
+                                    side_by_side(features_b, own_b, bent_b.placement())},
+                                   progress);
     }
     return {std::move(maps), (bent_a.strain() + bent_b.strain()) / 2};
 }

@@ -11,7 +11,8 @@
 namespace counterpart::spectral_match {
 namespace {
 
-double curvature_correlation(const Shape& from, const Shape& to, const std::vector<Index>& map, int scale) {
+double curvature_correlation(const PreparedShape& from, const PreparedShape& to,
+                             const std::vector<Index>& map, int scale) {
     const auto n = static_cast<Eigen::Index>(map.size());
     Vector x(n), y(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -34,15 +35,15 @@ double attained(const Eigen::Matrix3d& covariance) {
     return s[2] + s[1] + (covariance.determinant() < 0 ? -s[0] : s[0]);
 }
 
-// Over all neighbourhoods: what is left of the images after the best rotation.
+// Over all neighborhoods: what is left of the images after the best rotation.
 double rigid_residual(const MatrixF& from, const MatrixF& to, const std::vector<Index>& map,
                       const Neighborhoods& near) {
-    constexpr int least = 5;
+    constexpr int min_points = 5;
     double sum = 0;
     int count = 0;
     for (std::size_t s = 0; s + 1 < near.first.size(); ++s) {
         const auto n = static_cast<int>(near.first[s + 1] - near.first[s]);
-        if (n < least) continue;
+        if (n < min_points) continue;
         // About one of the points, so that single precision is enough.
         const Index center = near.samples[near.first[s]];
         const float* const origin_x = from.row(center).data();
@@ -72,7 +73,7 @@ double rigid_residual(const MatrixF& from, const MatrixF& to, const std::vector<
     return count > 0 ? sum / count : 0;
 }
 
-MatrixF sample_positions(const Shape& shape, Index n) {
+MatrixF sample_positions(const PreparedShape& shape, Index n) {
     MatrixF positions(n, 3);
     for (Index i = 0; i < n; ++i)
         positions.row(i) = shape.mesh.vertices.row(shape.samples[static_cast<std::size_t>(i)]).cast<float>();
@@ -95,7 +96,8 @@ double frequency_drift(const MatrixF& map, const VectorF& row_frequencies,
 
 }  // namespace
 
-SampledPair::SampledPair(const Shape& shape_a, const Shape& shape_b, std::size_t n, double radius)
+SampledPair::SampledPair(const PreparedShape& shape_a, const PreparedShape& shape_b, std::size_t n,
+                         double radius)
     : a(shape_a),
       b(shape_b),
       points_a(sampled(shape_a, n)),
@@ -105,7 +107,7 @@ SampledPair::SampledPair(const Shape& shape_a, const Shape& shape_b, std::size_t
       near_a(shape_a, n, radius),
       near_b(shape_b, n, radius) {}
 
-Neighborhoods::Neighborhoods(const Shape& shape, std::size_t n, double radius) : first{0} {
+Neighborhoods::Neighborhoods(const PreparedShape& shape, std::size_t n, double radius) : first{0} {
     n = std::min(n, shape.samples.size());
     const auto n_centers =
         std::min<Eigen::Index>(shape.sample_distances.rows(), static_cast<Eigen::Index>(n));
@@ -131,11 +133,10 @@ Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedF
     scores.rigidity = (rigid_residual(pair.positions_a, pair.positions_b, maps.b_from_a, pair.near_a) +
                        rigid_residual(pair.positions_b, pair.positions_a, maps.a_from_b, pair.near_b)) /
                       2;
-    scores.commutativity =
-        frequency_drift(functional.a_from_b, pair.points_a.frequencies, pair.points_b.frequencies);
-    scores.total = scores.curvature + weights.orientation * scores.orientation -
+    scores.drift = frequency_drift(functional.a_from_b, pair.points_a.frequencies, pair.points_b.frequencies);
+    scores.total = weights.curvature * scores.curvature + weights.orientation * scores.orientation -
                    weights.orthogonality * std::min(scores.orthogonality, 1.0) -
-                   weights.commutativity * scores.commutativity - weights.rigidity * scores.rigidity;
+                   weights.drift * scores.drift - weights.rigidity * scores.rigidity;
     return scores;
 }
 

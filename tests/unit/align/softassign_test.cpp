@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::align {
 namespace {
 
 Matrix random_points(Eigen::Index n, Eigen::Index dimension, std::uint64_t seed) {
@@ -59,4 +59,4 @@ TEST(Softassign, ColdAssignmentIsHardAndOutliersKeepTheirPlace) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::align

@@ -9,10 +9,10 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::align {
 namespace {
 
-Matrix random_points(Eigen::Index n, Eigen::Index dimension, std::uint64_t seed) {
+Matrix control_points(Eigen::Index n, Eigen::Index dimension, std::uint64_t seed) {
     Random random(seed);
     return Matrix::NullaryExpr(n, dimension, [&] { return random.uniform(-1, 1); });
 }
@@ -42,20 +42,20 @@ Matrix textbook_spline(const Matrix& controls, const Matrix& images, double lamb
 
 TEST(ThinPlateSpline, RefusesBadInput) {
     EXPECT_THROW(ThinPlateSpline(Matrix(0, 3), Matrix(0, 3)), InvalidInput);
-    EXPECT_THROW(ThinPlateSpline(random_points(4, 4, 1), random_points(4, 4, 1)), InvalidInput);
-    EXPECT_THROW(ThinPlateSpline(random_points(4, 3, 1), random_points(5, 3, 1)), InvalidInput);
-    EXPECT_THROW(ThinPlateSpline(random_points(4, 3, 1), random_points(4, 3, 1), -1), InvalidInput);
-    Matrix nan = random_points(4, 3, 1);
+    EXPECT_THROW(ThinPlateSpline(control_points(4, 4, 1), control_points(4, 4, 1)), InvalidInput);
+    EXPECT_THROW(ThinPlateSpline(control_points(4, 3, 1), control_points(5, 3, 1)), InvalidInput);
+    EXPECT_THROW(ThinPlateSpline(control_points(4, 3, 1), control_points(4, 3, 1), -1), InvalidInput);
+    Matrix nan = control_points(4, 3, 1);
     nan(2, 1) = std::nan("");
-    EXPECT_THROW(ThinPlateSpline(nan, random_points(4, 3, 1)), InvalidInput);
-    const ThinPlateSpline spline(random_points(4, 3, 1), random_points(4, 3, 2));
-    EXPECT_THROW(spline(random_points(4, 2, 1)), InvalidInput);
+    EXPECT_THROW(ThinPlateSpline(nan, control_points(4, 3, 1)), InvalidInput);
+    const ThinPlateSpline spline(control_points(4, 3, 1), control_points(4, 3, 2));
+    EXPECT_THROW(spline(control_points(4, 2, 1)), InvalidInput);
 }
 
 TEST(ThinPlateSpline, CoincidentControlsNeedRegularization) {
-    Matrix controls = random_points(8, 3, 1);
+    Matrix controls = control_points(8, 3, 1);
     controls.row(5) = controls.row(2);
-    const Matrix images = random_points(8, 3, 2);
+    const Matrix images = control_points(8, 3, 2);
     EXPECT_THROW(ThinPlateSpline(controls, images), InvalidInput);
     EXPECT_NO_THROW(ThinPlateSpline(controls, images, 0.1));
 }
@@ -63,8 +63,9 @@ TEST(ThinPlateSpline, CoincidentControlsNeedRegularization) {
 TEST(ThinPlateSpline, AgreesWithTheTextbookSystem) {
     for (const Eigen::Index dimension : {2, 3}) {
         for (const double lambda : {0.0, 0.3}) {
-            const Matrix controls = random_points(25, dimension, 1), images = random_points(25, dimension, 2);
-            const Matrix points = random_points(40, dimension, 3);
+            const Matrix controls = control_points(25, dimension, 1),
+                         images = control_points(25, dimension, 2);
+            const Matrix points = control_points(40, dimension, 3);
             const ThinPlateSpline spline(controls, images, lambda);
             EXPECT_LT((spline(points) - textbook_spline(controls, images, lambda, points)).norm(), 1e-8)
                 << dimension << "D, lambda " << lambda;
@@ -76,30 +77,30 @@ TEST(ThinPlateSpline, AgreesWithTheTextbookSystem) {
 }
 
 TEST(ThinPlateSpline, AffineMapsBendNothing) {
-    const Matrix controls = random_points(12, 3, 4);
+    const Matrix controls = control_points(12, 3, 4);
     Matrix linear(3, 3);
     linear << 1, 0.2, 0, -0.3, 2, 0.1, 0.5, 0, 0.7;
     const Matrix images = (controls * linear).rowwise() + Eigen::RowVector3d(1, 2, 3);
     const ThinPlateSpline spline(controls, images, 0.5);
     EXPECT_NEAR(spline.bending_energy(), 0, 1e-12);
     EXPECT_LT((spline(controls) - images).norm(), 1e-10);
-    const ThinPlateSpline bent(controls, random_points(12, 3, 5));
+    const ThinPlateSpline bent(controls, control_points(12, 3, 5));
     EXPECT_GT(bent.bending_energy(), 0.01);
 }
 
 TEST(ThinPlateSpline, FlatAndTinySetsWork) {
-    Matrix flat = random_points(10, 3, 6);
+    Matrix flat = control_points(10, 3, 6);
     flat.col(2).setZero();
-    const Matrix images = random_points(10, 3, 7);
+    const Matrix images = control_points(10, 3, 7);
     EXPECT_LT((ThinPlateSpline(flat, images)(flat) - images).norm(), 1e-8);
     for (const Eigen::Index n : {1, 2, 3, 4, 5}) {
-        const Matrix few = random_points(n, 3, 8), there = random_points(n, 3, 9);
+        const Matrix few = control_points(n, 3, 8), there = control_points(n, 3, 9);
         EXPECT_LT((ThinPlateSpline(few, there)(few) - there).norm(), 1e-8) << n;
     }
     // One control moves everything along with it.
-    const Matrix one = random_points(1, 3, 8), elsewhere = one.array() + 2;
+    const Matrix one = control_points(1, 3, 8), elsewhere = one.array() + 2;
     EXPECT_LT((ThinPlateSpline(one, elsewhere)(flat) - Matrix(flat.array() + 2)).norm(), 1e-10);
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::align

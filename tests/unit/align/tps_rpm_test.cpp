@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::align {
 namespace {
 
 // A closed curve, and the same curve smoothly bent.
@@ -106,7 +106,7 @@ TEST(TpsRpm, TinyAndCoincidentSets) {
 TEST(TpsRpm, CanBeStoppedAndSaysWhenItDidNotConverge) {
     TpsRpmOptions options;
     options.progress = [](double) { return false; };
-    EXPECT_THROW(tps_rpm(curve(10, 2, 0), curve(10, 2, 0), options), Cancelled);
+    EXPECT_THROW(tps_rpm(curve(10, 2, 0), curve(10, 2, 0), options), Canceled);
     options = {};
     options.initial_temperature = 10;
     options.final_temperature = 9.9;
@@ -115,4 +115,4 @@ TEST(TpsRpm, CanBeStoppedAndSaysWhenItDidNotConverge) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::align

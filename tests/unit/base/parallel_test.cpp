@@ -5,6 +5,10 @@
 #include <counterpart/base/errors.hpp>
 
 #include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <set>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -23,6 +27,40 @@ TEST(Parallel, EveryItemOnceForAnyNumberOfThreads) {
         EXPECT_EQ(visits, std::vector<int>(1000, 1));
     }
     EXPECT_THROW(with_threads(-1, [] {}), InvalidInput);
+}
+
+// Each item waits for all others: that ends soon only if each has a thread of its own.
+TEST(Parallel, ThreadsAreRealOnAnyMachine) {
+    for (const std::size_t n_threads : {2U, 3U, 8U}) {
+        std::mutex mutex;
+        std::condition_variable all_here;
+        std::set<std::thread::id> here;
+        with_threads(static_cast<int>(n_threads), [&] {
+            EXPECT_EQ(tbb::this_task_arena::max_concurrency(), static_cast<int>(n_threads));
+            parallel_for(n_threads, 1, [&](std::size_t) {
+                std::unique_lock lock(mutex);
+                here.insert(std::this_thread::get_id());
+                all_here.notify_all();
+                all_here.wait_for(lock, std::chrono::seconds(20), [&] { return here.size() == n_threads; });
+            });
+        });
+        EXPECT_EQ(here.size(), n_threads);
+    }
+}
+
+TEST(Parallel, SeveralCallersEachHaveTheirThreads) {
+    std::vector<std::thread> callers;
+    for (int n_threads = 1; n_threads <= 4; ++n_threads) {
+        callers.emplace_back([n_threads] {
+            for (int round = 0; round < 20; ++round) {
+                std::vector<int> visits(500, 0);
+                with_threads(n_threads,
+                             [&] { parallel_for(visits.size(), 1, [&](std::size_t i) { ++visits[i]; }); });
+                EXPECT_EQ(visits, std::vector<int>(500, 1));
+            }
+        });
+    }
+    for (std::thread& caller : callers) caller.join();
 }
 
 TEST(Parallel, OneThreadIsOneThread) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/edited_map.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
@@ -23,19 +24,19 @@ const TriangleMesh& torus() {
     return mesh;
 }
 VertexMap mixed_map() {
-    VertexMap map = identity_map(384);
+    std::vector<Index> image;
     for (Index v = 0; v < 384; ++v) {
-        Index& image = map.image[static_cast<std::size_t>(v)];
-        if (v % 3 == 1) image = (v + 1) % 384;
-        if (v % 3 == 2) image = (v * 5 + 2) % 384;
-        if (v % 50 == 7) image = VertexMap::unmatched;
+        image.push_back(v);
+        if (v % 3 == 1) image.back() = (v + 1) % 384;
+        if (v % 3 == 2) image.back() = (v * 5 + 2) % 384;
+        if (v % 50 == 7) image.back() = VertexMap::unmatched;
     }
-    return map;
+    return {std::move(image), 384};
 }
 GroundTruth identity_but_some() {
-    VertexMap truth = identity_map(384);
-    for (std::size_t v = 11; v < 384; v += 20) truth.image[v] = VertexMap::unmatched;
-    return truth_from_map(truth);
+    return truth_from_map(test::edited(identity_map(384), [](std::vector<Index>& image) {
+        for (std::size_t v = 11; v < 384; v += 20) image[v] = VertexMap::unmatched;
+    }));
 }
 
 EvaluationReport score(const VertexMap& map, const GroundTruth& truth,
@@ -46,6 +47,7 @@ EvaluationReport score(const VertexMap& map, const GroundTruth& truth,
 TEST(Evaluate, RefusesWhatDoesNotFit) {
     const GroundTruth truth = truth_from_map(identity_map(384));
     EXPECT_THROW(score(identity_map(383), truth), InvalidInput);
+    EXPECT_THROW(score({identity_map(384).image(), 385}, truth), InvalidInput);
     EXPECT_THROW(score(identity_map(384), {}), InvalidInput);
     EXPECT_THROW(score(identity_map(384), {{{0, 384}}}), InvalidInput);
     EXPECT_THROW(score(identity_map(384), {{{-1, 0}}}), InvalidInput);
@@ -68,8 +70,7 @@ TEST(Evaluate, ATrueMapHasNoError) {
 }
 
 TEST(Evaluate, OneVertexOffByAnEdge) {
-    VertexMap map = identity_map(384);
-    map.image[5] = 6;
+    const VertexMap map = test::with_image(identity_map(384), 5, 6);
     const double edge = (torus().vertices.row(5) - torus().vertices.row(6)).norm();
     const EvaluationReport report = score(map, truth_from_map(identity_map(384)));
     EXPECT_EQ(report.n_exact, 383);
@@ -97,12 +98,13 @@ TEST(Evaluate, AgreesWithAnIndependentProgram) {
     EXPECT_NEAR(some.percentile_95_error, 56.6247, 5e-5);
 
     // Two template files: 150 points, some of which name the same vertices.
-    VertexMap source{{}, 384}, target{{}, 384};
+    std::vector<Index> source, target;
     for (Index k = 0; k < 150; ++k) {
-        source.image.push_back(k * 5 % 384);
-        target.image.push_back((k * 5 + k % 4) % 384);
+        source.push_back(k * 5 % 384);
+        target.push_back((k * 5 + k % 4) % 384);
     }
-    const EvaluationReport by_template = score(mixed_map(), truth_from_template(source, target));
+    const EvaluationReport by_template =
+        score(mixed_map(), truth_from_template({source, 384}, {target, 384}));
     EXPECT_EQ(by_template.n_exact, 26);
     EXPECT_NEAR(by_template.mean_error, 17.6417, 5e-5);
     EXPECT_NEAR(by_template.median_error, 7.9085, 5e-5);
@@ -111,7 +113,7 @@ TEST(Evaluate, AgreesWithAnIndependentProgram) {
 TEST(Evaluate, CIsTheSumOverAllPairsOfTheFullDistanceMatrix) {
     for (const bool shortcuts : {true, false}) {
         const DistanceGraph graph(torus(), {.shortcuts = shortcuts});
-        const Matrix distance = distance_rows(graph, identity_map(384).image);
+        const Matrix distance = distance_rows(graph, identity_map(384).image());
         const VertexMap map = mixed_map();
         double cost = 0;
         for (Index v = 0; v < 384; ++v) cost += map[v] < 0 ? 0 : std::pow(distance(v, map[v]), 2);
@@ -139,10 +141,11 @@ TEST(Evaluate, OtherComponentsAndUnmatchedAreCountedApart) {
     TriangleMesh two{Points(2 * n, 3), Triangles(2 * sphere.n_triangles(), 3)};
     two.vertices << sphere.vertices, sphere.vertices.rowwise() + Eigen::RowVector3d(5, 0, 0);
     two.triangles << sphere.triangles, sphere.triangles.array() + n;
-    VertexMap map = identity_map(2 * n);
-    map.image[0] = n;
-    map.image[1] = VertexMap::unmatched;
-    map.image[2] = 3;
+    const VertexMap map = test::edited(identity_map(2 * n), [n](std::vector<Index>& image) {
+        image[0] = n;
+        image[1] = VertexMap::unmatched;
+        image[2] = 3;
+    });
     const EvaluationReport report = evaluate(map, truth_from_map(identity_map(2 * n)), two, two);
     EXPECT_EQ(report.n_other_component, 1);
     EXPECT_EQ(report.n_unmatched, 1);
@@ -151,8 +154,8 @@ TEST(Evaluate, OtherComponentsAndUnmatchedAreCountedApart) {
     EXPECT_TRUE(std::isfinite(report.max_error));
     EXPECT_DOUBLE_EQ(report.fraction_within.back(), (2.0 * n - 2) / (2 * n - 1));
 
-    map.image.assign(static_cast<std::size_t>(2 * n), VertexMap::unmatched);
-    const EvaluationReport nothing = evaluate(map, truth_from_map(identity_map(2 * n)), two, two);
+    const VertexMap empty(std::vector<Index>(static_cast<std::size_t>(2 * n), VertexMap::unmatched), 2 * n);
+    const EvaluationReport nothing = evaluate(empty, truth_from_map(identity_map(2 * n)), two, two);
     EXPECT_TRUE(std::isnan(nothing.mean_error));
     EXPECT_EQ(nothing.cost.raw, 0);
 }

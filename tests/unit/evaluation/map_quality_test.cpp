@@ -33,7 +33,7 @@ TEST(MapQuality, CountsEdgesOfAGridCell) {
     EXPECT_EQ(folded.n_distinct, 3);
     EXPECT_DOUBLE_EQ(folded.coverage, 0.75);
     EXPECT_DOUBLE_EQ(folded.preserved_edges, 1);
-    // 0 to 2, whose neighbours are 0 and 3: 0-1 breaks; 0-2 shrinks to a point.
+    // 0 to 2, whose neighbors are 0 and 3: 0-1 breaks; 0-2 shrinks to a point.
     const MapQuality broken = map_quality({{2, 1, 2, 3}, 4}, cell, cell);
     EXPECT_DOUBLE_EQ(broken.collapsed_edges, 0.2);
     EXPECT_DOUBLE_EQ(broken.preserved_edges, 0.6);

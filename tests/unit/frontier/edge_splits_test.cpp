@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "frontier/edge_splits.hpp"
+
+#include "frontier/subtree_hash.hpp"
 #include "support/disguise.hpp"
 
-#include <counterpart/frontier/edge_splits.hpp>
-#include <counterpart/frontier/subtree_hash.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::frontier {
 namespace {
 
 EdgeSplits split(const TriangleMesh& mesh, Index source) {
@@ -59,4 +60,4 @@ TEST(EdgeSplits, AlikeForMeshesThatAreAlike) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::frontier

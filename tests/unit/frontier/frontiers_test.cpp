@@ -14,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::frontier {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -147,4 +147,4 @@ TEST(Frontiers, LoopsPartitionTheFrontiers) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::frontier

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "frontier/subtree_hash.hpp"
+
 #include "support/disguise.hpp"
 
-#include <counterpart/frontier/subtree_hash.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::frontier {
 namespace {
 
 std::vector<std::uint64_t> hashes_from(const TriangleMesh& mesh, Index source) {
@@ -52,4 +53,4 @@ TEST(SubtreeHash, UnreachedVerticesHaveNone) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::frontier

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 namespace {
 
 // A ball with arms of the given lengths along its vertices 0, 1, 2, ... (corners of an icosahedron). The tip
@@ -99,4 +99,4 @@ TEST(CriticalPoints, OfTheSmallestMeshes) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ Matrix floyd_warshall(const DistanceGraph& graph) {
     return distance;
 }
 
-// Vertices pushed about at random, some of them nearly or wholly onto a neighbour: link lengths of many
+// Vertices pushed about at random, some of them nearly or wholly onto a neighbor: link lengths of many
 // sizes.
 TriangleMesh roughened(TriangleMesh mesh, double amount, std::uint64_t seed) {
     Random random(seed);
@@ -108,6 +108,54 @@ TEST(DistanceGraph, NonManifoldEdgeUnfoldsAllPairsAndDuplicatesNone) {
     const Vector distance = distances_from(graph, 2);
     EXPECT_NEAR(distance[3], 2, 1e-15);
     EXPECT_NEAR(distance[4], 2, 1e-15);
+}
+
+// `count` triangles on the edge of the vertices 0 and 1, each in a half-plane and with an apex of its own.
+TriangleMesh book(Index count) {
+    TriangleMesh mesh{Points::Zero(count + 2, 3), Triangles(count, 3)};
+    mesh.vertices.row(1) << 1, 0, 0;
+    for (Index t = 0; t < count; ++t) {
+        const double height = 1 + 0.5 * t / count, angle = 6 * t / count;
+        mesh.vertices.row(t + 2) << 0.2 + 0.6 * ((7 * t) % count) / count, height * std::cos(angle),
+            height * std::sin(angle);
+        mesh.triangles.row(t) << 0, 1, t + 2;
+    }
+    return mesh;
+}
+
+TEST(DistanceGraph, AnEdgeOfManyTrianglesTakesLinksInProportion) {
+    const auto edges = [](Index count) { return static_cast<std::size_t>(2 * count + 1); };
+    for (const Index count : {2, 5, 16}) {  // all pairs
+        const auto pairs = static_cast<std::size_t>(count * (count - 1) / 2);
+        EXPECT_EQ(DistanceGraph(book(count)).n_links(), edges(count) + pairs) << count;
+    }
+    for (const Index count : {17, 100, 100'000}) {
+        const auto pairs = static_cast<std::size_t>(8 * (count - 8) + 8 * 7 / 2);
+        EXPECT_EQ(DistanceGraph(book(count)).n_links(), edges(count) + pairs) << count;
+    }
+    // However often a triangle is there, it is unfolded once.
+    TriangleMesh stack = book(3);
+    stack.triangles = stack.triangles.replicate(10'000, 1).eval();
+    EXPECT_EQ(DistanceGraph(stack).n_links(), edges(3) + 3);
+}
+
+TEST(DistanceGraph, DistancesOverAnEdgeOfManyTrianglesAreWaysOnTheSurface) {
+    const TriangleMesh mesh = book(200);
+    const DistanceGraph graph(mesh), edges(mesh, {.shortcuts = false});
+    const std::vector<Index> source = {150};
+    const Matrix with = distance_rows(graph, source), without = distance_rows(edges, source);
+    double gain = 0;
+    for (Index v = 2; v < mesh.n_vertices(); ++v) {
+        if (v == source[0]) continue;
+        // Two triangles alone, unfolded: the straight line.
+        TriangleMesh two{Points(4, 3), Triangles{{0, 1, 2}, {0, 1, 3}}};
+        two.vertices << mesh.vertices.topRows(2), mesh.vertices.row(source[0]), mesh.vertices.row(v);
+        const double straight = distance_rows(DistanceGraph(two), std::vector<Index>{2})(0, 3);
+        EXPECT_GE(with(0, v), straight - 1e-12) << v;
+        EXPECT_LE(with(0, v), without(0, v)) << v;
+        gain += without(0, v) - with(0, v);
+    }
+    EXPECT_GT(gain, 0);
 }
 
 TEST(Distances, RefuseWhatIsNotAVertex) {
@@ -191,10 +239,10 @@ TEST(Distances, PairsAgreeWithRowsForAnyNumberOfThreads) {
     EXPECT_EQ(pair_distances(graph, {}).size(), 0);
 }
 
-TEST(Distances, CanBeCancelled) {
+TEST(Distances, CanBeCanceled) {
     const DistanceGraph graph(make_icosphere(2));
     EXPECT_THROW(distance_rows(graph, all_vertices(graph), {.progress = [](double f) { return f < 0.5; }}),
-                 Cancelled);
+                 Canceled);
 }
 
 // Against exact geodesics on the plane and on the sphere, from a vertex of the middle.
@@ -249,4 +297,4 @@ TEST(Distances, OnThePlaneAreNearTheStraightLines) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

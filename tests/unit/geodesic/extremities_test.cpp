@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "geodesic/extremities.hpp"
+
+#include "geodesic/average_distances.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/geodesic/average_distances.hpp>
-#include <counterpart/geodesic/extremities.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::geodesic {
 namespace {
 
 // A sheet pulled out to five arms: its tips are known.
@@ -39,9 +41,9 @@ TriangleMesh star(Index arms, Index length) {
 TEST(Extremities, RefusesBadInput) {
     const DistanceGraph graph(make_icosphere(1));
     EXPECT_THROW(extremities(graph, Vector::Ones(3)), InvalidInput);
-    EXPECT_THROW(extremities(graph, Vector::Ones(42), {.least_average = 0.5}), InvalidInput);
+    EXPECT_THROW(extremities(graph, Vector::Ones(42), {.min_average = 0.5}), InvalidInput);
     EXPECT_THROW(extremities(graph, Vector::Ones(42), {.radius = 0}), InvalidInput);
-    EXPECT_THROW(extremities(graph, Vector::Ones(42), {.at_most = 0}), InvalidInput);
+    EXPECT_THROW(extremities(graph, Vector::Ones(42), {.max_count = 0}), InvalidInput);
 }
 
 TEST(Extremities, AreTheEndsOfTheArmsLongestFirst) {
@@ -59,7 +61,7 @@ TEST(Extremities, AreTheEndsOfTheArmsLongestFirst) {
         EXPECT_EQ((found[i].vertex - 1) % (2 * length) / 2, length - 1);
         EXPECT_GT(found[i].average_distance, 1.2);
     }
-    EXPECT_EQ(extremities(graph, average, {.radius = 3, .at_most = 2}).size(), 2U);
+    EXPECT_EQ(extremities(graph, average, {.radius = 3, .max_count = 2}).size(), 2U);
 }
 
 TEST(Extremities, ASphereHasNone) {
@@ -71,4 +73,4 @@ TEST(Extremities, ASphereHasNone) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::geodesic

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "support/character.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
-#include <counterpart/io/attributed_mesh_file.hpp>
-#include <counterpart/mesh/character.hpp>
+#include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 AttributedMesh read(const std::string& text, const char* name) {
@@ -122,7 +122,7 @@ TEST(AttributedMeshFile, PlyNamesInUse) {
 }
 
 TEST(AttributedMeshFile, ACharacterKeepsItsSeamInObjAndPly) {
-    const AttributedMesh content = make_character({.subdivisions = 1}).content;
+    const AttributedMesh content = test::make_character({.subdivisions = 1}).content;
     const CornerAttribute& uv = content.texture_coordinates.at(0);
     for (const char* name : {"a.obj", "a.ply"}) {
         const AttributedMesh after = written(content, name);
@@ -141,7 +141,7 @@ TEST(AttributedMeshFile, ACharacterKeepsItsSeamInObjAndPly) {
 
 TEST(AttributedMeshFile, WhatDoesNotFitIsNotWritten) {
     const test::TemporaryFolder folder;
-    AttributedMesh content = make_character({.subdivisions = 0}).content;
+    AttributedMesh content = test::make_character({.subdivisions = 0}).content;
     content.texture_coordinates[0].corners(0, 0) =
         static_cast<Index>(content.texture_coordinates[0].values.rows());
     for (const char* name : {"a.obj", "a.ply", "a.glb"}) {
@@ -151,4 +151,4 @@ TEST(AttributedMeshFile, WhatDoesNotFitIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

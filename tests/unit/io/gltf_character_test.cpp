@@ -2,25 +2,25 @@
 // SPDX-License-Identifier: MIT
 //
 // The generated character through glTF: as another exporter wrote it, changed, and damaged.
+#include "support/character.hpp"
 #include "support/character_glb.hpp"
 #include "support/gltf_accessors.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
-#include <counterpart/io/attributed_mesh_file.hpp>
+#include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/exact.hpp>
-#include <counterpart/mesh/character.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 const BodyOptions small = {.subdivisions = 1};
 
-AttributedMesh exported(const Character& character, const test::CharacterExport& options) {
+AttributedMesh exported(const test::Character& character, const test::CharacterExport& options) {
     const test::TemporaryFolder folder;
     write_file(test::character_glb(character, options), folder / "character.glb");
     return read_attributed_mesh(folder / "character.glb").content;
@@ -32,7 +32,7 @@ AttributedMesh written(const AttributedMesh& content) {
     return read_attributed_mesh(folder / "out.glb").content;
 }
 
-// All that is attached, corner by corner: positions, texture coordinates, colours, weights by joint, morphs.
+// All that is attached, corner by corner: positions, texture coordinates, colors, weights by joint, morphs.
 Matrix per_corner(const AttributedMesh& content) {
     constexpr int n_joints = 8;
     const CornerAttribute& uv = content.texture_coordinates.at(0);
@@ -57,7 +57,7 @@ Matrix per_corner(const AttributedMesh& content) {
 
 TEST(GltfCharacter, ReadAndWrittenItKeepsItsAccessors) {
     const test::TemporaryFolder folder;
-    const Character character = make_character(small);
+    const test::Character character = test::make_character(small);
     for (const test::CharacterExport& options :
          {test::CharacterExport{}, test::CharacterExport{.shuffle_seed = 7},
           test::CharacterExport{.with_normals = false, .every_corner_alone = true}}) {
@@ -71,7 +71,7 @@ TEST(GltfCharacter, ReadAndWrittenItKeepsItsAccessors) {
 }
 
 TEST(GltfCharacter, AShuffledCopyComesBackInTheOrder) {
-    const Character character = make_character(small);
+    const test::Character character = test::make_character(small);
     const AttributedMesh source = exported(character, {});
     const Matrix expected = per_corner(source);
     for (const bool bare : {false, true}) {
@@ -87,7 +87,7 @@ TEST(GltfCharacter, AShuffledCopyComesBackInTheOrder) {
 }
 
 TEST(GltfCharacter, ReorderRefusesCornersThatDoNotFit) {
-    const AttributedMesh mesh = exported(make_character(small), {});
+    const AttributedMesh mesh = exported(test::make_character(small), {});
     const VertexMap same = identity_map(mesh.mesh.n_vertices());
     Triangles corners = Triangles::Zero(mesh.mesh.n_triangles(), 3);
     EXPECT_THROW(reorder(mesh, mesh, same, corners.topRows(2)), InvalidInput);
@@ -96,4 +96,4 @@ TEST(GltfCharacter, ReorderRefusesCornersThatDoNotFit) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -5,7 +5,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -148,7 +148,7 @@ TEST(Gltf, SaysWhatIsWrong) {
          "KHR_draco_mesh_compression"},
         {[](Json& j) { j["accessors"][0]["count"] = 100; }, "accessor 0: 100 rows do not fit"},
         {[](Json& j) { j["accessors"][0]["count"] = -1; }, "'count' must be a whole number"},
-        {[](Json& j) { j["accessors"][0]["count"] = 1e15; }, "announces"},
+        {[](Json& j) { j["accessors"][0]["count"] = 1e15; }, "far more numbers"},
         {[](Json& j) { j["accessors"][0]["type"] = "VEC2"; }, "where VEC3 is needed"},
         {[](Json& j) { j["accessors"][0]["componentType"] = 7; }, "unknown componentType 7"},
         {[](Json& j) { j["accessors"][0]["byteOffset"] = 8; }, "do not fit"},
@@ -334,4 +334,4 @@ TEST(WriteGltf, WeightsThatSumToZeroAreRefused) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -5,10 +5,11 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/npy.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -17,7 +18,7 @@ TEST(MapFile, RoundTripsInBothFormatsAndBases) {
     const TemporaryFolder folder;
     const VertexMap map{{4, -1, 0, 2}, 5};
     for (const IndexBase base : {IndexBase::zero, IndexBase::one}) {
-        for (const char* name : {"map.txt", "map.npy"}) {
+        for (const char* name : {"map.txt", "map.npy", "MAP.NPY"}) {
             write_vertex_map(map, folder / name, base);
             EXPECT_EQ(read_vertex_map(folder / name, base), map) << name;
         }
@@ -25,11 +26,27 @@ TEST(MapFile, RoundTripsInBothFormatsAndBases) {
     EXPECT_EQ(read_vertex_map(folder / "map.txt"), (VertexMap{{5, -1, 1, 3}, 6}));
 }
 
+TEST(MapFile, TheFormatIsToldInCapitalsToo) {
+    const TemporaryFolder folder;
+    write_vertex_map({{4, -1}, 5}, folder / "map.Npy");
+    EXPECT_EQ(read_npy_indices(folder / "map.Npy"), (std::vector<Index>{4, -1}));
+}
+
 TEST(MapFile, TextMayHaveCommentsAndCarriageReturns) {
     const TemporaryFolder folder;
     const auto file = folder.file("map.txt", "# a map\r\n 3 # first\r\n\r\n-1\r\n+0");
     EXPECT_EQ(read_vertex_map(file), (VertexMap{{3, -1, 0}, 4}));
     EXPECT_EQ(read_vertex_map(folder.file("empty.txt", "")), VertexMap{});
+}
+
+TEST(MapFile, TheTargetSizeMayBeGivenAndIsChecked) {
+    const TemporaryFolder folder;
+    for (const char* name : {"map.txt", "map.npy"}) {
+        write_vertex_map({{3, -1, 0}, 4}, folder / name);
+        EXPECT_EQ(read_vertex_map(folder / name, IndexBase::zero, 9), (VertexMap{{3, -1, 0}, 9})) << name;
+        test::expect_error<IoError>([&] { read_vertex_map(folder / name, IndexBase::zero, 3); },
+                                    std::string(name) + ": the map takes source vertex 0 to 3");
+    }
 }
 
 TEST(MapFile, NamesLineAndReason) {
@@ -51,4 +68,4 @@ TEST(MapFile, NamesLineAndReason) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

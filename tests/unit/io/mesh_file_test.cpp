@@ -15,7 +15,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -129,4 +129,4 @@ TEST_P(DamagedFile, WithFlippedBytesIsAMeshOrAnError) {
 INSTANTIATE_TEST_SUITE_P(MeshFile, DamagedFile, testing::Values("a.off", "a.obj", "a.ply", "a.stl"));
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 using test::TemporaryFolder;
@@ -77,6 +77,11 @@ TEST(Npy, RefusesWhatItCannotRead) {
             "one or two dimensions, not 3");
     refused(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (4294967296, 4294967296), }", ""),
             "out of range");
+    for (const char* shape :
+         {"(0, 18446744073709551615)", "(18446744073709551615, 0)", "(9223372036854775808, 0)"})
+        refused(npy(std::string("{'descr': '<f8', 'fortran_order': False, 'shape': ") + shape + ", }", ""),
+                "out of range");
+    EXPECT_EQ(read(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 7), }", "")).cols(), 7);
     refused(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (x,), }", ""), "no shape");
     refused(npy("{'descr': '<f8', 'fortran_order': False}", ""), "has no 'shape'");
 }
@@ -91,4 +96,4 @@ TEST(Npy, IndicesMustBeWholeNumbersThatFit) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 constexpr const char* target =
@@ -53,4 +53,4 @@ TEST(ReorderObj, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

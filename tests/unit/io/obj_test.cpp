@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 MeshFile read(std::string_view text) {
@@ -31,7 +31,7 @@ TEST(Obj, ReadsWhatApplicationsWrite) {
              vertices + "f 1/4/7 2/5/8 3/6/9\n",
              vertices + "f 1// 2// 3//\n",
              vertices + "f 1 \\\n 2\\\r\n 3\n",
-             "mtllib a b.mtl\no thing\nv 0 0 0 1\nv\t1 0 0 0.5 0.5 nan # colour\n v 0 1 0\nvn 0 0 1\nvt 0 "
+             "mtllib a b.mtl\no thing\nv 0 0 0 1\nv\t1 0 0 0.5 0.5 nan # color\n v 0 1 0\nvn 0 0 1\nvt 0 "
              "0\ns off\n"
              "usemtl #1\nl 1 2\nf 1 2 3\r\n",
          }) {
@@ -86,4 +86,4 @@ TEST(Obj, NamesLineAndReason) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

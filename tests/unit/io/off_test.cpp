@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 MeshFile read(std::string_view text) {
@@ -61,6 +61,8 @@ TEST(Off, NamesLineAndReason) {
                    "a.off:2: expected a whole number (number of vertices), found 'three'");
     expect_refused("OFF\n-3 1 0\n", "a.off:2: the number of vertices is out of range");
     expect_refused("OFF\n99999999999 1 0\n", "a.off:2: the number of vertices is out of range");
+    expect_refused("OFF\n6 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "the number of vertices is 6, more than");
+    expect_refused("OFF\n3 4 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "the number of faces is 4, more than");
     expect_refused("OFF\n2000000000 1 0\n", "a.off:2: the number of vertices is 2000000000, more than");
     expect_refused("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
                    "a.off:4: expected a number (z), but the line ends");
@@ -84,4 +86,4 @@ TEST(Off, TinyNumbersAreZeroNotAnError) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 MeshFile read(std::string_view bytes) {
@@ -137,6 +137,15 @@ TEST(Ply, HeaderErrorsNameLineAndReason) {
                           "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                           "element face 1\nproperty list uchar float vertex_indices\n"),
                    "'vertex_indices' must be whole numbers");
+    expect_refused(header("ascii", plain + "property list uchar float vertex_index\n") + three_vertices +
+                       "3 0 1 2 3 0 1 nan\n",
+                   "element 'face' has several lists of vertices");
+    // Each face takes a length and three corners.
+    const std::string vertices = plain.substr(0, plain.find("element face"));
+    expect_refused(header("binary_little_endian",
+                          vertices + "element face 9\nproperty list uchar int vertex_indices\n") +
+                       std::string(36 + 9 * 12, '\3'),
+                   "9 elements 'face', more than the file has room for");
     expect_refused(header("ascii",
                           "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
                           "element face 1\nproperty list uchar int corners\n"),
@@ -172,4 +181,4 @@ TEST(Ply, RefusesBinaryCoordinatesThatAreNotFinite) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 MeshFile read(std::string_view bytes) {
@@ -74,4 +74,4 @@ TEST(Stl, NamesTheReason) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

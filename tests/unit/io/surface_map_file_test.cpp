@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
-#include <counterpart/io/surface_map_file.hpp>
+#include <counterpart/io/npy.hpp>
 
 #include <filesystem>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace counterpart {
+namespace counterpart::io {
 namespace {
 
 std::filesystem::path scratch(const std::string& name) {
@@ -26,6 +26,13 @@ TEST(SurfaceMapFile, ComesBackExactly) {
         EXPECT_TRUE(std::holds_alternative<SurfaceMap>(read_map(scratch(name)))) << name;
         std::filesystem::remove(scratch(name));
     }
+}
+
+TEST(SurfaceMapFile, TheFormatIsToldInCapitalsToo) {
+    write_surface_map(some_map, scratch(".NPY"));
+    EXPECT_EQ(read_npy(scratch(".NPY")).cols(), 4);
+    EXPECT_EQ(read_surface_map(scratch(".NPY")), some_map);
+    std::filesystem::remove(scratch(".NPY"));
 }
 
 TEST(SurfaceMapFile, TellsTheKindsApart) {
@@ -51,4 +58,4 @@ TEST(SurfaceMapFile, NamesTheLineThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::io

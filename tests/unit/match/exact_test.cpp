@@ -8,6 +8,8 @@
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -20,7 +22,7 @@ void expect_isomorphism(const TriangleMesh& source, const TriangleMesh& target, 
     ASSERT_TRUE(result.identical) << result.difference;
     std::vector<bool> hit(static_cast<std::size_t>(target.n_vertices()), false),
         used(static_cast<std::size_t>(target.n_triangles()), false);
-    for (const Index w : result.target_from_source.image) {
+    for (const Index w : result.target_from_source.image()) {
         ASSERT_GE(w, 0);
         EXPECT_FALSE(hit[static_cast<std::size_t>(w)]) << "target vertex " << w << " is taken twice";
         hit[static_cast<std::size_t>(w)] = true;
@@ -51,6 +53,9 @@ TEST(MatchExact, RefusesInvalidMeshesAndOptions) {
     ExactOptions options;
     options.max_alternatives = -1;
     EXPECT_THROW(match_exact(make_grid(1, 1), make_grid(1, 1), options), InvalidInput);
+    options = {};
+    options.n_threads = -1;
+    EXPECT_THROW(match_exact(make_grid(1, 1), make_grid(1, 1), options), InvalidInput);
 }
 
 TEST(MatchExact, FindsTheOnlyMatchOfAnAsymmetricMesh) {
@@ -69,8 +74,15 @@ TEST(MatchExact, CountsTheRotationsOfAnIcosphereAndPicksTheGeometricallyRightOne
     const test::DisguisedMesh target = test::shuffled(mesh, 5);
     const ExactResult result = match_exact(mesh, target.mesh);
     expect_isomorphism(mesh, target.mesh, result);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);  // as it lies, of 60 that fit as well
     EXPECT_EQ(result.automorphisms.number, 60U);
     EXPECT_EQ(result.mirror_automorphisms.number, 60U);
+    // With one vertex pulled out, only one of the rotations keeps the lengths, whatever the pose.
+    TriangleMesh spiked = mesh;
+    spiked.vertices.row(77) *= 1.5;
+    spiked.vertices.row(5) *= 1.2;
+    const test::DisguisedMesh moved = test::shuffled(test::moved(spiked, 2), 5);
+    EXPECT_EQ(match_exact(spiked, moved.mesh).target_from_source, moved.mesh_from_original);
 }
 
 TEST(MatchExact, CountsTheSymmetriesOfATorus) {
@@ -152,10 +164,88 @@ TEST(MatchExact, NamesADifference) {
     const TriangleMesh mesh = lopsided();
     const ExactResult flipped = match_exact(mesh, test::with_flipped_edges(mesh, 1, 3).mesh);
     EXPECT_FALSE(flipped.identical);
-    EXPECT_FALSE(flipped.difference.empty());
-    EXPECT_FALSE(match_exact(make_torus(6, 8), make_torus(8, 6)).identical &&
-                 match_exact(make_torus(6, 8), make_torus(4, 12)).identical);
-    EXPECT_FALSE(match_exact(make_grid(2, 2), make_torus(3, 3)).identical);
+    EXPECT_NE(flipped.difference.find("no source component has the connectivity of the target component"),
+              std::string::npos)
+        << flipped.difference;
+    EXPECT_NE(flipped.difference.find("(1280 triangles)"), std::string::npos) << flipped.difference;
+    // A torus of other rings has as many vertices and triangles, all alike.
+    const ExactResult torus = match_exact(make_torus(6, 8), make_torus(4, 12));
+    EXPECT_FALSE(torus.identical);
+    EXPECT_NE(torus.difference.find("(96 triangles)"), std::string::npos) << torus.difference;
+    EXPECT_EQ(match_exact(make_grid(3, 3), make_torus(3, 3)).difference,
+              "the source has 16 vertices with triangles, the target 9");
+    const TriangleMesh ball = make_icosphere(0), two = test::joined(ball, lopsided()),
+                       three = test::joined(two, ball);
+    EXPECT_EQ(match_exact(test::joined(two, lopsided()), test::joined(two, two)).difference,
+              "the source has 2580 triangles, the target 2600");
+    EXPECT_FALSE(match_exact(three, test::joined(two, make_icosphere(0))).difference.size());
+}
+
+TEST(MatchExact, SaysTheSameOfManyClassesInOneNotice) {
+    TriangleMesh mesh = make_torus(3, 3);
+    for (int n = 3; n < 12; ++n) {
+        for (int i = 0; i < 2; ++i) {
+            TriangleMesh torus = make_torus(3, n);
+            torus.vertices.rowwise() += Eigen::RowVector3d(20 * n, 20 * i, 3 * i);
+            mesh = test::joined(mesh, torus);
+        }
+    }
+    const test::DisguisedMesh target = test::shuffled(mesh, 5);
+    const ExactResult result = match_exact(mesh, target.mesh);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.interchangeable.size(), 9U);
+    EXPECT_LE(result.notices.size(), 3U);
+}
+
+TEST(MatchExact, TellsAPeriodicPatternWithOneDefect) {
+    // Every tenth ring of a long tube has a flipped edge; once it is the eleventh. Each of the thousand looks
+    // alike from nearby.
+    TriangleMesh tube = make_torus(10'000, 6);
+    const auto flip = [&](Index ring) {
+        // The two triangles of one square: exchange its diagonal.
+        const Index t = 12 * ring, u = t + 1;
+        std::array<Index, 4> corners{};
+        std::size_t n = 0;
+        for (int c = 0; c < 3; ++c) corners[n++] = tube.triangles(t, c);
+        for (int c = 0; c < 3; ++c)
+            if (std::find(corners.begin(), corners.begin() + 3, tube.triangles(u, c)) == corners.begin() + 3)
+                corners[3] = tube.triangles(u, c);
+        for (int c = 0; c < 3; ++c) {
+            const Index apex = tube.triangles(t, c), a = tube.triangles(t, (c + 1) % 3),
+                        b = tube.triangles(t, (c + 2) % 3);
+            bool shared_a = false, shared_b = false;
+            for (int d = 0; d < 3; ++d) {
+                shared_a = shared_a || tube.triangles(u, d) == a;
+                shared_b = shared_b || tube.triangles(u, d) == b;
+            }
+            if (!shared_a || !shared_b) continue;
+            tube.triangles.row(t) << apex, a, corners[3];
+            tube.triangles.row(u) << apex, corners[3], b;
+            return;
+        }
+    };
+    for (Index ring = 0; ring + 10 < 10'000; ring += 10) flip(ring == 5'000 ? ring + 1 : ring);
+    const test::DisguisedMesh target = test::shuffled(tube, 3);
+    const ExactResult result = match_exact(tube, target.mesh);
+    expect_isomorphism(tube, target.mesh, result);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.automorphisms.number, 1U);
+}
+
+TEST(MatchExact, ReportsProgressAndStops) {
+    const TriangleMesh mesh = lopsided();
+    const test::DisguisedMesh target = test::shuffled(mesh, 5);
+    ExactOptions options;
+    std::vector<double> seen;
+    options.progress = [&](double share) { return seen.push_back(share), true; };
+    match_exact(mesh, target.mesh, options);
+    ASSERT_FALSE(seen.empty());
+    EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+    EXPECT_EQ(seen.back(), 1);
+    for (const double end : seen) {
+        options.progress = [&](double share) { return share < end; };
+        EXPECT_THROW(match_exact(mesh, target.mesh, options), Canceled);
+    }
 }
 
 TEST(MatchExact, WeldsDuplicatesAndFindsAPartnerForEach) {

@@ -64,7 +64,7 @@ TEST(MatchFrontiers, NamesTheFirstDifferenceOfConnectivity) {
     TriangleMesh fewer = grid;
     fewer.triangles.conservativeResize(grid.n_triangles() - 1, 3);
     EXPECT_NE(refusal(grid, fewer).find("160 triangles, the target 159"), std::string::npos);
-    EXPECT_NE(refusal(grid, irregular_grid(10, 8, 2)).find("neighbours"), std::string::npos);
+    EXPECT_NE(refusal(grid, irregular_grid(10, 8, 2)).find("neighbors"), std::string::npos);
     // The same valences in another arrangement: two components against one.
     EXPECT_NE(refusal(make_torus(18, 9), make_torus(27, 6)).find("level"), std::string::npos);
 }
@@ -72,11 +72,11 @@ TEST(MatchFrontiers, NamesTheFirstDifferenceOfConnectivity) {
 TEST(MatchFrontiers, RefusesBadSourcesAndNamesTheLevel) {
     const TriangleMesh grid = irregular_grid(10, 8, 1);
     FrontiersOptions options;
-    options.source = 3;
+    options.source_seed = 3;
     EXPECT_NE(refusal(grid, grid, options).find("both"), std::string::npos);
-    options.target_source = 99;
+    options.target_seed = 99;
     EXPECT_NE(refusal(grid, grid, options).find("does not exist"), std::string::npos);
-    options.target_source = 50;
+    options.target_seed = 50;
     EXPECT_NE(refusal(grid, grid, options).find("level 1"), std::string::npos);
     options = {};
     options.deformation_threshold = -1;
@@ -102,7 +102,7 @@ TEST(MatchFrontiers, PositionsDecideWhereConnectivityIsSymmetric) {
     const FrontiersResult result = match_frontiers(source, target.mesh);
     EXPECT_EQ(result.target_from_source, target.mesh_from_original);
     EXPECT_GT(result.n_decided_by_position, 0);
-    EXPECT_EQ(result.components[0].test, SourceTest::ambiguous);
+    EXPECT_EQ(result.components[0].test, SeedTest::ambiguous);
 }
 
 TEST(MatchFrontiers, PositionsOnly) {
@@ -196,13 +196,13 @@ TEST(MatchFrontiers, GivenSourcesChooseAmongComponentsAlike) {
     const TriangleMesh grid = irregular_grid(6, 5, 1);
     const TriangleMesh two = joined({grid, grid});  // one upon the other
     FrontiersOptions options;
-    options.source = 7;
-    options.target_source = 7 + grid.n_vertices();
+    options.source_seed = 7;
+    options.target_seed = 7 + grid.n_vertices();
     const VertexMap map = match_frontiers(two, two, options).target_from_source;
     for (Index v = 0; v < two.n_vertices(); ++v)
         EXPECT_EQ(map[v], (v + grid.n_vertices()) % two.n_vertices());
     TriangleMesh different = joined({grid, irregular_grid(6, 4, 1)});
-    options.target_source = grid.n_vertices() + 3;
+    options.target_seed = grid.n_vertices() + 3;
     EXPECT_NE(refusal(different, different, options).find("components of different connectivity"),
               std::string::npos);
 }
@@ -210,7 +210,7 @@ TEST(MatchFrontiers, GivenSourcesChooseAmongComponentsAlike) {
 TEST(MatchFrontiers, CanBeStopped) {
     FrontiersOptions options;
     options.progress = [](double) { return false; };
-    EXPECT_THROW(match_frontiers(irregular_grid(30, 20, 1), irregular_grid(30, 20, 1), options), Cancelled);
+    EXPECT_THROW(match_frontiers(irregular_grid(30, 20, 1), irregular_grid(30, 20, 1), options), Canceled);
 }
 
 }  // namespace

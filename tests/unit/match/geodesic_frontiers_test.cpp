@@ -5,7 +5,7 @@
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/match/geodesic_frontiers.hpp>
+#include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -38,9 +38,9 @@ TEST(MatchGeodesicFrontiers, RefusesBadInput) {
     EXPECT_THROW(match_geodesic_frontiers({}, ball), InvalidInput);
     expect_refused(needle, ball, {}, "no area");
     expect_refused(ball, needle, {}, "no area");
-    expect_refused(ball, ball, {.source = 3}, "both source vertices or none");
-    expect_refused(ball, ball, {.target_source = 3}, "both source vertices or none");
-    expect_refused(ball, ball, {.source = 3, .target_source = 162}, "does not exist");
+    expect_refused(ball, ball, {.source_seed = 3}, "both seed vertices");
+    expect_refused(ball, ball, {.target_seed = 3}, "both seed vertices");
+    expect_refused(ball, ball, {.source_seed = 3, .target_seed = 162}, "does not exist");
     expect_refused(ball, ball, {.n_bands = -1}, "n_bands");
     expect_refused(ball, ball, {.deformation_threshold = std::nan("")}, "deformation_threshold");
 }
@@ -59,16 +59,16 @@ TEST(MatchGeodesicFrontiers, TurnedScaledAndRenumbered) {
     const TriangleMesh source = make_body({.subdivisions = 1});
     const test::DisguisedMesh target = test::shuffled(test::moved(source, 4), 9);
     const GeodesicFrontiersResult result = match_geodesic_frontiers(source, target.mesh);
-    EXPECT_EQ(result.target_source, target.mesh_from_original[result.source]);
+    EXPECT_EQ(result.target_seed, target.mesh_from_original[result.source_seed]);
     EXPECT_EQ(result.target_from_source, target.mesh_from_original);
 }
 
 TEST(MatchGeodesicFrontiers, SourcesGivenByHandAndAnyNumberOfBands) {
     const TriangleMesh source = make_body({.subdivisions = 1});
     for (const Index n_bands : {1, 7, 5000}) {
-        const GeodesicFrontiersResult result =
-            match_geodesic_frontiers(source, source, {.source = 5, .target_source = 5, .n_bands = n_bands});
-        EXPECT_EQ(result.source, 5);
+        const GeodesicFrontiersResult result = match_geodesic_frontiers(
+            source, source, {.source_seed = 5, .target_seed = 5, .n_bands = n_bands});
+        EXPECT_EQ(result.source_seed, 5);
         EXPECT_EQ(result.target_from_source, identity_map(source.n_vertices()));
     }
 }
@@ -90,7 +90,7 @@ TEST(MatchGeodesicFrontiers, WhatTheSourceDoesNotReachIsUnmatched) {
     apart.vertices.rowwise() += Eigen::RowVector3d(9, 0, 0);
     const TriangleMesh body = make_body({.subdivisions = 1}), two = test::joined(body, apart);
     const GeodesicFrontiersResult result =
-        match_geodesic_frontiers(two, body, {.source = 5, .target_source = 5});
+        match_geodesic_frontiers(two, body, {.source_seed = 5, .target_seed = 5});
     EXPECT_EQ(count_matched(result.target_from_source), body.n_vertices());
     EXPECT_EQ(result.target_from_source[two.n_vertices() - 1], VertexMap::unmatched);
 }

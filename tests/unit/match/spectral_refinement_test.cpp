@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/spectral/elastic_fit.hpp"
-#include "match/spectral/local_search.hpp"
 #include "match/spectral/refinement.hpp"
+#include "match/spectral/restricted_nearest.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
 
@@ -73,8 +73,8 @@ TEST(SpectralElasticFit, AFlatSurfaceMayTurnHalfRound) {
 }
 
 // Maps that are off by a slide along x of up to `slide`, both ways.
-PairedMaps slid(const Shape& a, const Shape& b, double slide) {
-    const auto one = [&](const Shape& from, const Shape& to) {
+PairedMaps slid(const PreparedShape& a, const PreparedShape& b, double slide) {
+    const auto one = [&](const PreparedShape& from, const PreparedShape& to) {
         std::vector<Index> map;
         for (const Index s : from.samples) {
             Eigen::RowVector3d place = from.mesh.vertices.row(s);
@@ -92,7 +92,7 @@ PairedMaps slid(const Shape& a, const Shape& b, double slide) {
     return {one(a, b), one(b, a)};
 }
 
-double mean_distance_from_identity(const Shape& shape, const std::vector<Index>& map) {
+double mean_distance_from_identity(const PreparedShape& shape, const std::vector<Index>& map) {
     double sum = 0;
     for (std::size_t v = 0; v < map.size(); ++v)
         sum += (shape.mesh.vertices.row(static_cast<Index>(v)) - shape.mesh.vertices.row(map[v])).norm();
@@ -100,17 +100,17 @@ double mean_distance_from_identity(const Shape& shape, const std::vector<Index>&
 }
 
 TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
-    const ShapeOptions options{.n_functions = 100, .n_samples = 300};
+    const PreparationOptions options{.n_functions = 100, .n_samples = 300};
     // Same numbers on both, so that the truth is the identity.
-    const Shape a = prepare(banana(0.1), options), b = prepare(banana(0.5), options);
-    const RefineOptions refine_options{.begin = 40, .last = 100, .rounds = 4};
+    const PreparedShape a = prepare(banana(0.1), options), b = prepare(banana(0.5), options);
+    const RefinementTuning tuning{.first_match_size = 40, .last_size = 100, .n_rounds = 4};
     Candidate start;
     start.maps = slid(a, b, 0.1);
-    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, refine_options).maps;
+    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, tuning).maps;
     EXPECT_LT(mean_distance_from_identity(b, after.b_from_a),
               0.4 * mean_distance_from_identity(b, before.b_from_a));
     std::swap(start.maps.b_from_a, start.maps.a_from_b);
-    const PairedMaps swapped = refine(b, a, start, refine_options).maps;
+    const PairedMaps swapped = refine(b, a, start, tuning).maps;
     std::size_t same = 0;
     for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
         same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;

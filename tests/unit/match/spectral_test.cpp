@@ -4,10 +4,11 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -107,9 +108,46 @@ TEST(MatchSpectral, AReflectedMeshIsSaidAndMatched) {
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 2.0);
 }
 
+TEST(MatchSpectral, ProgressIsMonotoneAlsoWhereBothSidesAreSearched) {
+    const TriangleMesh source = bumpy_sphere(4);
+    TriangleMesh target = source;
+    target.triangles.col(1).swap(target.triangles.col(2));
+    std::vector<double> fractions;
+    match_spectral(source, target,
+                   {.progress =
+                        [&](double fraction) {
+                            fractions.push_back(fraction);
+                            return true;
+                        }},
+                   small);
+    ASSERT_GT(fractions.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_GE(fractions.front(), 0);
+    EXPECT_EQ(fractions.back(), 1);
+    EXPECT_EQ(std::count(fractions.begin(), fractions.end(), 1), 1);
+}
+
+TEST(MatchSpectral, ProgressDoesNotChangeTheResult) {
+    const TriangleMesh source = bumpy_sphere(3), target = moved(source, 2);
+    const SpectralOptions reporting{.progress = [](double) { return true; }};
+    const SpectralResult with = match_spectral(source, target, reporting, small),
+                         without = match_spectral(source, target, {}, small);
+    EXPECT_EQ(with.target_from_source, without.target_from_source);
+    EXPECT_EQ(with.confidence, without.confidence);
+}
+
+TEST(MatchSpectral, CanBeStoppedInEveryStage) {
+    const SpectralShape shape(bumpy_sphere(4), small);
+    for (const double limit : {0.0, 0.2, 0.7}) {
+        const SpectralOptions options{.progress = [&](double fraction) { return fraction < limit; }};
+        EXPECT_THROW(match_spectral(shape, shape, options), Canceled) << limit;
+        EXPECT_THROW(match_spectral(bumpy_sphere(4), bumpy_sphere(4), options, small), Canceled) << limit;
+    }
+}
+
 TEST(MatchSpectral, UnlikeShapesGetLittleConfidenceAndASentence) {
     const SpectralResult result = match_spectral(bumpy_sphere(3), make_torus(40, 20), {}, small);
-    EXPECT_NE(all_of(result.warnings).find("may not be the same kind"), std::string::npos);
+    EXPECT_NE(all_of(result.warnings).find("may not be comparable"), std::string::npos);
     EXPECT_LT(result.confidence.maxCoeff(), 0.2);
 }
 
@@ -161,9 +199,9 @@ TEST(MatchSpectral, SymmetricMatchesTheMirrorImage) {
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
 }
 
-TEST(MatchSpectral, SpheresAreSaidToBeAlikeFromEverySide) {
+TEST(MatchSpectral, SpheresAreSaidToBeSymmetric) {
     const SpectralResult result = match_spectral(make_icosphere(3), make_icosphere(3), {}, small);
-    EXPECT_NE(all_of(result.warnings).find("same from every side"), std::string::npos);
+    EXPECT_NE(all_of(result.warnings).find("sphere-like"), std::string::npos);
 }
 
 TEST(MatchSpectral, PlanesAreSaidToBeFlat) {

@@ -11,7 +11,7 @@
 namespace counterpart {
 namespace {
 
-TEST(Adjacency, ListsEachNeighbourOnceInOrder) {
+TEST(Adjacency, ListsEachNeighborOnceInOrder) {
     // A fan around 0, one triangle twice, a degenerate one, vertex 6 isolated.
     const TriangleMesh mesh{Points::Zero(7, 3),
                             Triangles{{0, 1, 2}, {0, 2, 3}, {3, 2, 0}, {0, 4, 3}, {5, 5, 4}, {6, 6, 6}}};

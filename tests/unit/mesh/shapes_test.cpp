@@ -37,6 +37,13 @@ TEST(Shapes, IcosphereIsTheUnitSphere) {
     EXPECT_THROW(make_icosphere(11), InvalidInput);
 }
 
+TEST(Shapes, RefusesMoreTrianglesThanAMeshMayHave) {
+    for (const auto& [columns, rows] : {std::pair{50'000, 50'000}, {2'000'000'000, 1}, {1, 2'147'483'647}}) {
+        EXPECT_THROW(make_grid(columns, rows), InvalidInput) << columns << " x " << rows;
+        EXPECT_THROW(make_torus(std::max(columns, 3), std::max(rows, 3)), InvalidInput) << columns;
+    }
+}
+
 TEST(Shapes, TorusHasItsAreaAndVolume) {
     const TriangleMesh mesh = make_torus(96, 48);
     expect_closed_and_outward(mesh, 1);
@@ -66,25 +73,25 @@ TEST(Shapes, BodyIsClosedAndOutward) {
     EXPECT_THROW(make_body({.subdivisions = 8}), InvalidInput);
 }
 
-// Colour refinement: vertices whose neighbourhoods differ get different colours. As many colours as vertices
+// Color refinement: vertices whose neighborhoods differ get different colors. As many colors as vertices
 // means that no renumbering but the identity keeps the connectivity.
-std::size_t count_colours(const TriangleMesh& mesh) {
+std::size_t count_colors(const TriangleMesh& mesh) {
     const Adjacency adjacency(mesh);
-    std::vector<Index> colour(static_cast<std::size_t>(mesh.n_vertices()), 0);
+    std::vector<Index> color(static_cast<std::size_t>(mesh.n_vertices()), 0);
     for (std::size_t count = 1;;) {
         std::map<std::vector<Index>, Index> names;
         std::vector<std::vector<Index>> keys;
         for (Index v = 0; v < mesh.n_vertices(); ++v) {
             std::vector<Index> key;
-            for (const Index w : adjacency.neighbors(v)) key.push_back(colour[static_cast<std::size_t>(w)]);
+            for (const Index w : adjacency.neighbors(v)) key.push_back(color[static_cast<std::size_t>(w)]);
             std::sort(key.begin(), key.end());
-            key.push_back(colour[static_cast<std::size_t>(v)]);
+            key.push_back(color[static_cast<std::size_t>(v)]);
             names.try_emplace(key, 0);
             keys.push_back(std::move(key));
         }
         Index next = 0;
         for (auto& [key, name] : names) name = next++;
-        for (std::size_t v = 0; v < keys.size(); ++v) colour[v] = names[keys[v]];
+        for (std::size_t v = 0; v < keys.size(); ++v) color[v] = names[keys[v]];
         if (names.size() == count) return count;
         count = names.size();
     }
@@ -92,16 +99,16 @@ std::size_t count_colours(const TriangleMesh& mesh) {
 
 TEST(Shapes, BodyHasNoSymmetryUnlessAsked) {
     const TriangleMesh mesh = make_body({.subdivisions = 1});
-    EXPECT_EQ(count_colours(mesh), static_cast<std::size_t>(mesh.n_vertices()));
+    EXPECT_EQ(count_colors(mesh), static_cast<std::size_t>(mesh.n_vertices()));
 
     const TriangleMesh symmetric = make_body({.subdivisions = 1, .symmetric = true});
     const auto on_plane = (symmetric.vertices.col(0).array().abs() < 1e-12).count();
-    EXPECT_EQ(count_colours(symmetric), static_cast<std::size_t>((symmetric.n_vertices() + on_plane) / 2));
+    EXPECT_EQ(count_colors(symmetric), static_cast<std::size_t>((symmetric.n_vertices() + on_plane) / 2));
 }
 
 TEST(Shapes, SymmetricBodyIsItsMirrorImage) {
     const TriangleMesh mesh = make_body({.symmetric = true});
-    const NearestNeighbors neighbors(mesh.vertices);
+    const numerics::NearestNeighbors neighbors(mesh.vertices);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         const Eigen::RowVector3d mirrored = mesh.vertices.row(v).cwiseProduct(Eigen::RowVector3d(-1, 1, 1));
         EXPECT_LT(neighbors.closest(mirrored).squared_distance, 1e-26) << v;

@@ -4,7 +4,6 @@
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/subdivide.hpp>
 
 #include <gtest/gtest.h>
 

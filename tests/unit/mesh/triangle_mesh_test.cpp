@@ -4,6 +4,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <limits>
 
@@ -26,6 +27,14 @@ TEST(TriangleMesh, RequireValidNamesTheFirstBadElement) {
     refused(mesh, "triangle 7 names vertex -1");
     mesh.vertices(4, 1) = std::numeric_limits<double>::infinity();
     refused(mesh, "vertex 4 has a coordinate that is not finite");
+}
+
+// The rows are never touched, so that they take no memory.
+TEST(TriangleMesh, RequireValidRefusesWhatIsTooLargeToCount) {
+    TriangleMesh mesh{Points::Zero(3, 3), {}};
+    mesh.triangles.resize(Eigen::Index{max_triangles} + 1, 3);
+    test::expect_error<InvalidInput>([&] { require_valid(mesh); },
+                                     "has 268435457 triangles; at most 268435456 are supported");
 }
 
 }  // namespace

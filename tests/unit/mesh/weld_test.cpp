@@ -21,7 +21,7 @@ TEST(Weld, JoinsEqualPositionsAndKeepsTheFirst) {
     EXPECT_EQ(result.welded_from_original, (std::vector<Index>{0, 1, 2, 0, 1, 3}));
 }
 
-TEST(Weld, NearestRepresentableNeighboursStayApart) {
+TEST(Weld, NearestRepresentableNeighborsStayApart) {
     const double next = std::nextafter(1.0, 2.0);
     const TriangleMesh mesh{Points{{1, 0, 0}, {next, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}}};
     EXPECT_EQ(weld(mesh).mesh.n_vertices(), 3);

@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 // The cost of an assignment; fails unless it is one-to-one and complete on the smaller side.
@@ -137,10 +137,10 @@ TEST(Assignment, EqualCostsEverywhere) {
     EXPECT_NEAR(checked_total(cost, solve_assignment(cost)), 6.0, 1e-12);
 }
 
-TEST(Assignment, CanBeCancelled) {
+TEST(Assignment, CanBeCanceled) {
     const Matrix cost = Matrix::Random(40, 40);
-    EXPECT_THROW(solve_assignment(cost, [](double) { return false; }), Cancelled);
+    EXPECT_THROW(solve_assignment(cost, [](double) { return false; }), Canceled);
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 TEST(ConvexHull, CornersOfABoxAndNotItsInside) {
@@ -40,4 +40,4 @@ TEST(ConvexHull, FlatAndCoincidentPoints) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

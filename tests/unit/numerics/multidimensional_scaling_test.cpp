@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 Matrix distances_among(const Points& points) {
@@ -48,4 +48,4 @@ TEST(MultidimensionalScaling, EveryIterationLowersTheStress) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 // On a coarse lattice, so that many points coincide and many distances are equal.
@@ -56,4 +56,4 @@ TEST(NearestNeighbors, FewPoints) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
-MatrixF random_matrix(Index rows, Index columns, std::uint64_t seed) {
+MatrixF random_rows(Index rows, Index columns, std::uint64_t seed) {
     Random random(seed);
     return MatrixF::NullaryExpr(rows, columns, [&] { return static_cast<float>(random.uniform(-1, 1)); });
 }
@@ -22,7 +22,7 @@ BestPartners nearest(const MatrixF& x, const MatrixF& y) {
 
 TEST(ProductSearch, FindsTheNearestOfBothSides) {
     for (const auto& [n, m, d] : {std::tuple{1, 1, 1}, {7, 33, 3}, {500, 261, 40}, {241, 1000, 17}}) {
-        const MatrixF x = random_matrix(n, d, 1), y = random_matrix(m, d, 2);
+        const MatrixF x = random_rows(n, d, 1), y = random_rows(m, d, 2);
         const BestPartners found = nearest(x, y);
         ASSERT_EQ(found.of_row.size(), static_cast<std::size_t>(n));
         ASSERT_EQ(found.of_column.size(), static_cast<std::size_t>(m));
@@ -47,7 +47,7 @@ TEST(ProductSearch, TiesGoToTheSmallestNumber) {
 }
 
 TEST(ProductSearch, SameForAnyNumberOfThreads) {
-    const MatrixF x = random_matrix(1500, 30, 3), y = random_matrix(1400, 30, 4);
+    const MatrixF x = random_rows(1500, 30, 3), y = random_rows(1400, 30, 4);
     const BestPartners one = with_threads(1, [&] { return nearest(x, y); });
     const BestPartners three = with_threads(3, [&] { return nearest(x, y); });
     EXPECT_EQ(one.of_row, three.of_row);
@@ -55,4 +55,4 @@ TEST(ProductSearch, SameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::numerics {
 namespace {
 
 MatrixF random_matrix(Index rows, Index columns, std::uint64_t seed) {
@@ -41,4 +41,4 @@ TEST(Product, SameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::numerics

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 using test::expect_error;
@@ -24,7 +24,7 @@ TEST(ErrorChart, RefusesCurvesThatAreNone) {
 
 TEST(ErrorChart, NamesAxesAndMapsInSvg) {
     const std::string svg = to_svg(error_chart({{"a<b", {0, 5, 10}, {0.1, 0.8, 1}, 2.5}}));
-    for (const char* part : {"geodesic error", "share of vertices", "a&lt;b (mean 2.50)", "</svg>"})
+    for (const char* part : {"geodesic error", "vertices within the error", "a&lt;b (mean 2.50)", "</svg>"})
         EXPECT_NE(svg.find(part), std::string::npos) << part;
 }
 
@@ -74,4 +74,4 @@ TEST(Text, IsDrawnWhereItIsSaidToBe) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::render

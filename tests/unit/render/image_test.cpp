@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 TEST(Png, RefusesWhatIsNone) {
@@ -29,4 +29,4 @@ TEST(Png, ReadsBackWhatItWrote) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -1,34 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/edited_map.hpp"
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/render/color.hpp>
-#include <counterpart/render/map_figures.hpp>
+#include <counterpart/render/figures.hpp>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 TEST(Carry, TakesEachValueToItsPartner) {
     const TriangleMesh source = make_icosphere(3);
     const test::DisguisedMesh target = test::shuffled(source, 7);
-    const Points carried = carry(source.vertices, target.mesh_from_original, target.mesh);
+    const Points carried = transfer_to_target(source.vertices, target.mesh_from_original, target.mesh);
     EXPECT_EQ(carried, target.mesh.vertices);
-    test::expect_error<InvalidInput>([&] { carry(source.vertices, identity_map(3), target.mesh); }, "");
+    test::expect_error<InvalidInput>(
+        [&] { transfer_to_target(source.vertices, identity_map(3), target.mesh); }, "");
 }
 
 TEST(Carry, FillsSmallHolesAndLeavesLargeOnes) {
     const TriangleMesh grid = make_grid(20, 20);
-    VertexMap map = identity_map(grid.n_vertices());
-    for (Index v = 0; v < grid.n_vertices(); ++v)
-        if (grid.vertices(v, 0) > 0.52) map.image[static_cast<std::size_t>(v)] = VertexMap::unmatched;
-    const Points carried = carry(grid.vertices, map, grid);
+    const VertexMap map = test::edited(identity_map(grid.n_vertices()), [&](std::vector<Index>& image) {
+        for (Index v = 0; v < grid.n_vertices(); ++v)
+            if (grid.vertices(v, 0) > 0.52) image[static_cast<std::size_t>(v)] = VertexMap::unmatched;
+    });
+    const Points carried = transfer_to_target(grid.vertices, map, grid);
     int filled = 0, empty = 0;
     for (Index v = 0; v < grid.n_vertices(); ++v) {
         if (grid.vertices(v, 0) > 0.52) std::isnan(carried(v, 0)) ? ++empty : ++filled;
@@ -39,7 +42,7 @@ TEST(Carry, FillsSmallHolesAndLeavesLargeOnes) {
 
 TEST(Lines, AreSampledBySeed) {
     const TriangleMesh sphere = make_icosphere(3);
-    const PlacedMesh placed{sphere, Placement(sphere, find_view(sphere))};
+    const PlacedMesh placed{sphere, Placement(sphere, find_camera(sphere))};
     const VertexMap map = identity_map(sphere.n_vertices());
     const Scene scene = line_scene(placed, placed, map, {.count = 20, .seed = 1});
     EXPECT_EQ(scene.tubes.size(), 20u);
@@ -64,7 +67,7 @@ TEST(Colors, AreMonotoneInLightness) {
 
 TEST(ValueSurface, RefusesWhatDoesNotFit) {
     const TriangleMesh sphere = make_icosphere(1);
-    const PlacedMesh placed{sphere, Placement(sphere, find_view(sphere))};
+    const PlacedMesh placed{sphere, Placement(sphere, find_camera(sphere))};
     test::expect_error<InvalidInput>([&] { value_surface(placed, Vector::Zero(3), 1, Colormap::magma); },
                                      "42");
     test::expect_error<InvalidInput>([&] { value_surface(placed, Vector::Zero(42), 0, Colormap::magma); },
@@ -72,4 +75,4 @@ TEST(ValueSurface, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::render

@@ -7,20 +7,20 @@
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/render/color.hpp>
-#include <counterpart/render/mesh_figures.hpp>
+#include <counterpart/render/figures.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 class MeshFigures : public testing::Test {
   protected:
     TriangleMesh grid = make_grid(20, 20);
-    Placement placement{grid, find_view(grid)};
+    Placement placement{grid, find_camera(grid)};
     Frontiers frontiers = bfs_frontiers(Adjacency(grid), 0);
     Scene scene;
 };
@@ -35,8 +35,8 @@ TEST_F(MeshFigures, RefuseWhatDoesNotFit) {
         [&] { add_shortcuts(scene, grid, placement, frontiers.level, 441, 0.2); }, "441");
     test::expect_error<InvalidInput>([&] { add_shortcuts(scene, grid, placement, frontiers.level, 0, 1e-6); },
                                      "larger");
-    test::expect_error<InvalidInput>([&] { add_base_vertices(scene, make_grid(3, 3), placement, {}); },
-                                     "another mesh");
+    test::expect_error<InvalidInput>(
+        [&] { add_farthest_point_samples(scene, make_grid(3, 3), placement, {}); }, "another mesh");
     EXPECT_TRUE(scene.surfaces.empty());
 }
 
@@ -60,11 +60,11 @@ TEST_F(MeshFigures, DrawEveryNthFrontierAsDots) {
 }
 
 TEST_F(MeshFigures, DrawBaseVerticesAndTheirPatches) {
-    BaseVertices bases;
+    FarthestPointSamples bases;
     bases.vertices = {0, 440};
-    bases.base_of_vertex.assign(441, 0);
-    bases.base_of_vertex[440] = 1;
-    add_base_vertices(scene, grid, placement, bases);
+    bases.sample_of_vertex.assign(441, 0);
+    bases.sample_of_vertex[440] = 1;
+    add_farthest_point_samples(scene, grid, placement, bases);
     ASSERT_EQ(scene.dots.size(), 2U);
     EXPECT_NE(scene.surfaces[0].attributes.row(0), scene.surfaces[0].attributes.row(440));
     EXPECT_EQ(scene.surfaces[0].attributes.row(0), scene.surfaces[0].attributes.row(1));
@@ -76,13 +76,13 @@ TEST_F(MeshFigures, DrawEdgesAndShortcutsOfAPatch) {
     const TriangleMesh patch = patch_around(grid, 220, radius);
     EXPECT_LT(patch.n_vertices(), 30);
     EXPECT_EQ(static_cast<Index>(scene.dots.size()), patch.n_vertices());
-    // Every edge is grey; what is more are shortcuts.
+    // Every edge is gray; what is more are shortcuts.
     const Index n_edges = Adjacency(patch).n_edges();
     EXPECT_GT(static_cast<Index>(scene.tubes.size()), n_edges);
-    const auto grey = std::count_if(scene.tubes.begin(), scene.tubes.end(), [](const Tube& tube) {
+    const auto gray = std::count_if(scene.tubes.begin(), scene.tubes.end(), [](const Tube& tube) {
         return tube.color.maxCoeff() - tube.color.minCoeff() < 0.05;
     });
-    EXPECT_EQ(static_cast<Index>(grey), n_edges);
+    EXPECT_EQ(static_cast<Index>(gray), n_edges);
 }
 
 TEST_F(MeshFigures, DrawTwoFrontiersAndTheirPairs) {
@@ -110,4 +110,4 @@ TEST_F(MeshFigures, StandInARowWithoutOverlap) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::render

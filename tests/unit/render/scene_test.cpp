@@ -3,10 +3,9 @@
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/atomic_file.hpp>
+#include <counterpart/io/file.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/render/map_figures.hpp>
-#include <counterpart/render/mesh_figures.hpp>
+#include <counterpart/render/figures.hpp>
 #include <counterpart/render/scene.hpp>
 
 #include <cstdlib>
@@ -17,18 +16,18 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::render {
 namespace {
 
 using test::expect_error;
 
 const RenderOptions small{.width = 120, .height = 80};
 
-PlacedMesh placed(const TriangleMesh& mesh) { return {mesh, Placement(mesh, find_view(mesh))}; }
+PlacedMesh placed(const TriangleMesh& mesh) { return {mesh, Placement(mesh, find_camera(mesh))}; }
 
 Scene torus_scene(Texture texture) {
     static const TriangleMesh torus = make_torus(48, 24);
-    std::vector<Placement> places(2, Placement(torus, find_view(torus, {.direction = "30,35"})));
+    std::vector<Placement> places(2, Placement(torus, find_camera(torus, {.direction = "30,35"})));
     arrange_in_row(places);
     return texture_scene({torus, places[0]}, {torus, places[1]}, identity_map(torus.n_vertices()), texture);
 }
@@ -115,4 +114,4 @@ TEST(Fit, KeepsAllWithinTheMargins) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::render

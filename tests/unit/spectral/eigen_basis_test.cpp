@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 TEST(EigenBasis, RefusesNoFunctions) { EXPECT_THROW(eigen_basis(make_icosphere(1), 0), InvalidInput); }
@@ -43,6 +43,21 @@ TEST(EigenBasis, FunctionsAreOrthonormalAndSolveTheProblem) {
         EXPECT_GE(basis.eigenfunctions.col(j).maxCoeff(), -basis.eigenfunctions.col(j).minCoeff() - 1e-12);
 }
 
+TEST(EigenBasis, ReportsProgressAndCanBeStopped) {
+    const LaplaceBeltrami laplacian = laplace_beltrami(make_icosphere(4));
+    double last = 0;
+    int n_calls = 0;
+    eigen_basis(laplacian, 16, [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        return ++n_calls > 0;
+    });
+    EXPECT_GT(n_calls, 16);
+    EXPECT_LE(last, 1);
+    EXPECT_THROW(eigen_basis(laplacian, 16, [&](double) { return --n_calls > 3; }), Canceled);
+    EXPECT_EQ(n_calls, 3);
+}
+
 TEST(EigenBasis, ScalesWithTheMesh) {
     TriangleMesh mesh = make_torus(30, 20);
     const EigenBasis small = eigen_basis(mesh, 12);
@@ -53,4 +68,4 @@ TEST(EigenBasis, ScalesWithTheMesh) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::spectral

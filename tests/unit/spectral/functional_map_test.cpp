@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/edited_map.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/descriptor/spectral_signatures.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/spectral/functional_map.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 struct Pair {
@@ -47,8 +48,8 @@ TEST(FunctionalMap, OfTheTrueMapIsASignedIdentityAndLeadsBack) {
 
 TEST(FunctionalMap, UnmatchedVerticesDoNotCount) {
     const Pair pair;
-    VertexMap nothing = pair.truth;
-    nothing.image.assign(nothing.image.size(), VertexMap::unmatched);
+    const VertexMap nothing = test::edited(
+        pair.truth, [](std::vector<Index>& image) { image.assign(image.size(), VertexMap::unmatched); });
     EXPECT_EQ(functional_map(nothing, pair.source_basis, pair.target_basis, 5).norm(), 0);
 }
 
@@ -78,4 +79,4 @@ TEST(FunctionalMap, TheFitCommutesWithTheLaplacians) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::spectral

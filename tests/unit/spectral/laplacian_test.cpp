@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 TriangleMesh fan_with_three_triangles_at_one_edge() {
@@ -99,8 +99,23 @@ TEST(Laplacian, BridgesTieComponents) {
     const LaplaceBeltrami tied = laplace_beltrami(two),
                           loose = laplace_beltrami(two, {.bridge_components = false});
     EXPECT_EQ(tied.n_components, 2);
-    EXPECT_GT(tied.stiffness.nonZeros(), loose.stiffness.nonZeros());
+    // Loose, a function may be 1 on one piece and 0 on the other at no cost; tied, that costs 1000 for the
+    // piece's share of the area, while constant functions stay free.
+    Vector one_piece = Vector::Zero(two.n_vertices());
+    one_piece.head(one.n_vertices()).setOnes();
+    EXPECT_NEAR(one_piece.dot(loose.stiffness * one_piece), 0, 1e-10);
+    EXPECT_NEAR(one_piece.dot(tied.stiffness * one_piece), 500, 1e-8);
+    EXPECT_LT((tied.stiffness * Vector::Ones(two.n_vertices())).cwiseAbs().maxCoeff(), 1e-10);
+    // The springs join the pieces, where they are nearest, and change nothing else.
+    const SparseMatrix springs = tied.stiffness - loose.stiffness;
+    for (int k = 0; k < springs.outerSize(); ++k) {
+        for (SparseMatrix::InnerIterator it(springs, k); it; ++it) {
+            if (it.row() == it.col() || it.value() == 0) continue;
+            EXPECT_NE(it.row() < one.n_vertices(), it.col() < one.n_vertices());
+            EXPECT_LT((two.vertices.row(it.row()) - two.vertices.row(it.col())).norm(), 1.5);
+        }
+    }
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "spectral/orientation.hpp"
+
 #include "support/disguise.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/spectral/functional_map.hpp>
-#include <counterpart/spectral/orientation.hpp>
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 TEST(Orientation, RefusesWhatDoesNotFit) {
@@ -44,4 +45,4 @@ TEST(Orientation, TellsAMapFromItsMirrorImage) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/edited_map.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
@@ -14,11 +15,11 @@
 
 #include <gtest/gtest.h>
 
-namespace counterpart {
+namespace counterpart::spectral {
 namespace {
 
 // A figure and itself bent, renumbered.
-struct Pair {
+struct BentPair {
     TriangleMesh source = make_body({.subdivisions = 1});
     test::DisguisedMesh target = test::shuffled(deform(source, {.bend = 0.5, .twist = 0.3}), 9);
     EigenBasis source_basis = eigen_basis(source, 80), target_basis = eigen_basis(target.mesh, 80);
@@ -33,37 +34,37 @@ struct Pair {
 
     // The truth with a third of the vertices sent anywhere.
     VertexMap noisy() const {
-        VertexMap map = truth;
         Random random(3);
-        for (Index& image : map.image)
-            if (random.uniform() < 0.33)
-                image = static_cast<Index>(random.below(static_cast<std::uint64_t>(map.target_size)));
-        return map;
+        return test::edited(truth, [&](std::vector<Index>& images) {
+            for (Index& image : images)
+                if (random.uniform() < 0.33)
+                    image = static_cast<Index>(random.below(static_cast<std::uint64_t>(truth.target_size())));
+        });
     }
 
     // Everything sent to every twentieth vertex: few images, none of them far off.
     VertexMap collapsed() const {
-        VertexMap map = truth;
-        for (Index& image : map.image) {
-            Index best = 0;
-            for (Index w = 0; w < map.target_size; w += 20)
-                if ((target.mesh.vertices.row(w) - target.mesh.vertices.row(image)).norm() <
-                    (target.mesh.vertices.row(best) - target.mesh.vertices.row(image)).norm())
-                    best = w;
-            image = best;
-        }
-        return map;
+        return test::edited(truth, [&](std::vector<Index>& images) {
+            for (Index& image : images) {
+                Index best = 0;
+                for (Index w = 0; w < truth.target_size(); w += 20)
+                    if ((target.mesh.vertices.row(w) - target.mesh.vertices.row(image)).norm() <
+                        (target.mesh.vertices.row(best) - target.mesh.vertices.row(image)).norm())
+                        best = w;
+                image = best;
+            }
+        });
     }
 };
 
 std::size_t distinct_images(const VertexMap& map) {
-    std::vector<Index> image = map.image;
+    std::vector<Index> image = map.image();
     std::sort(image.begin(), image.end());
     return static_cast<std::size_t>(std::unique(image.begin(), image.end()) - image.begin());
 }
 
 TEST(ZoomOut, RefusesWhatDoesNotFit) {
-    const Pair pair;
+    const BentPair pair;
     const auto run = [&](const VertexMap& map, const ZoomOutOptions& options) {
         return zoom_out(map, pair.source_basis, pair.target_basis, options);
     };
@@ -71,13 +72,11 @@ TEST(ZoomOut, RefusesWhatDoesNotFit) {
     EXPECT_THROW(run(pair.truth, {.first = 1}), InvalidInput);
     EXPECT_THROW(run(pair.truth, {.first = 50, .last = 40}), InvalidInput);
     EXPECT_THROW(run(pair.truth, {.step = 0}), InvalidInput);
-    VertexMap partial = pair.truth;
-    partial.image[7] = VertexMap::unmatched;
-    EXPECT_THROW(run(partial, {}), InvalidInput);
+    EXPECT_THROW(run(test::with_image(pair.truth, 7, VertexMap::unmatched), {}), InvalidInput);
 }
 
 TEST(ZoomOut, EveryVariantImprovesANoisyMap) {
-    const Pair pair;
+    const BentPair pair;
     const VertexMap start = pair.noisy();
     ASSERT_GT(pair.error(start), 10);
     for (const auto& [bijective, masked] :
@@ -92,7 +91,7 @@ TEST(ZoomOut, EveryVariantImprovesANoisyMap) {
 }
 
 TEST(ZoomOut, BijectiveUndoesACollapse) {
-    const Pair pair;
+    const BentPair pair;
     const VertexMap start = pair.collapsed();
     ASSERT_LT(distinct_images(start), 60U);
     const ZoomOutOptions options{.first = 10, .last = 80};
@@ -102,7 +101,7 @@ TEST(ZoomOut, BijectiveUndoesACollapse) {
 }
 
 TEST(ZoomOut, SameForAnyNumberOfThreads) {
-    const Pair pair;
+    const BentPair pair;
     ZoomOutOptions options{.last = 60, .n_threads = 1};
     const ZoomOutResult one = zoom_out(pair.noisy(), pair.source_basis, pair.target_basis, options);
     options.n_threads = 2;
@@ -111,4 +110,4 @@ TEST(ZoomOut, SameForAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace counterpart
+}  // namespace counterpart::spectral

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
+#include "transfer/local_linear_maps.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/map/invert.hpp>
 #include <counterpart/mesh/deform.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/subdivide.hpp>
-#include <counterpart/transfer/invert.hpp>
-#include <counterpart/transfer/local_linear_maps.hpp>
-#include <counterpart/transfer/morph_targets.hpp>
+#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/transfer/attributes.hpp>
 
 #include <cmath>
 
@@ -21,7 +20,7 @@
 namespace counterpart {
 namespace {
 
-// Displacements in every direction: a bump outwards, a shift aside, a twist.
+// Displacements in every direction: a bump outward, a shift aside, a twist.
 std::vector<MorphTarget> some_morphs(const TriangleMesh& mesh) {
     const Points normals = vertex_normals(mesh);
     MorphTarget bump{"bump", Points(mesh.n_vertices(), 3)}, smile{"smile", bump.displacements};
@@ -42,8 +41,8 @@ TEST(CarryMorphs, PermutationComesBack) {
     const std::vector<MorphTarget> morphs = some_morphs(source);
     const ShuffleResult copy = shuffle(source, 7);
     const VertexMap map{copy.shuffled_from_original, copy.mesh.n_vertices()};
-    const CarriedMorphs carried =
-        carry_morphs(surface_map_of(invert(map), source), source, copy.mesh, morphs);
+    const TransferredMorphTargets carried =
+        transfer_morph_targets(surface_map_of(invert(map), source), source, copy.mesh, morphs);
     ASSERT_EQ(carried.morphs.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(carried.morphs[i].name, morphs[i].name);
@@ -61,7 +60,8 @@ TEST(CarryMorphs, StretchedAndTurnedTargetStretchesAndTurnsTheDisplacements) {
     TriangleMesh target{source.vertices * linear.transpose(), source.triangles};
     target.vertices.rowwise() += Eigen::RowVector3d(3, -1, 2);
     const std::vector<MorphTarget> morphs = some_morphs(source);
-    const CarriedMorphs carried = carry_morphs(identity_on(source), source, target, morphs);
+    const TransferredMorphTargets carried =
+        transfer_morph_targets(identity_on(source), source, target, morphs);
     for (std::size_t i = 0; i < 2; ++i) {
         const Points expected = morphs[i].displacements * linear.transpose();
         EXPECT_LT((carried.morphs[i].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
@@ -73,7 +73,7 @@ TEST(CarryMorphs, WithoutThicknessTheNormalScalesLikeTheWhole) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 1, 0).normalized()).matrix();
     const TriangleMesh target{3 * source.vertices * turn.transpose(), source.triangles};
     const MorphTarget up{"up", Points(Eigen::RowVector3d(0, 0, 1).replicate(source.n_vertices(), 1))};
-    const CarriedMorphs carried = carry_morphs(identity_on(source), source, target, {up});
+    const TransferredMorphTargets carried = transfer_morph_targets(identity_on(source), source, target, {up});
     const Points expected = 3 * up.displacements * turn.transpose();
     EXPECT_LT((carried.morphs[0].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
 }
@@ -83,8 +83,9 @@ TEST(CarryMorphs, PosedTargetTurnsThemPartByPart) {
     const TriangleMesh source = make_body({.subdivisions = 1});
     const TriangleMesh target = deform(source, {.bend = 4});
     const Points normals = vertex_normals(source), target_normals = vertex_normals(target);
-    const MorphTarget outwards{"outwards", 0.1 * normals};
-    const CarriedMorphs carried = carry_morphs(identity_on(source), source, target, {outwards});
+    const MorphTarget outward{"outward", 0.1 * normals};
+    const TransferredMorphTargets carried =
+        transfer_morph_targets(identity_on(source), source, target, {outward});
     const Points error = carried.morphs[0].displacements - 0.1 * target_normals;
     EXPECT_LT(error.rowwise().norm().mean(), 0.1 * 0.2);
     // Left as they were, they would be off by far more.
@@ -95,11 +96,12 @@ TEST(CarryMorphs, OtherConnectivityIsAsGood) {
     const TriangleMesh source = make_body({.subdivisions = 1}), fine = subdivide(source);
     const Eigen::Matrix3d linear = Eigen::Vector3d(1.8, 1, 0.6).asDiagonal();
     const TriangleMesh target{fine.vertices * linear, fine.triangles};
-    const SurfaceMap there = surface_map_of(identity_map(source.n_vertices()), target);
+    const SurfaceMap there =
+        surface_map_of({identity_map(source.n_vertices()).image(), target.n_vertices()}, target);
     const SurfaceMap map = invert(there, {source.vertices * linear, source.triangles}, target);
     const std::vector<MorphTarget> morphs = some_morphs(source);
-    const CarriedMorphs carried = carry_morphs(map, source, target, morphs);
-    const Points expected = pull_back(map, source, morphs[1].displacements) * linear;
+    const TransferredMorphTargets carried = transfer_morph_targets(map, source, target, morphs);
+    const Points expected = transfer_values(map, source, morphs[1].displacements) * linear;
     EXPECT_LT((carried.morphs[1].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
 }
 
@@ -110,7 +112,7 @@ TEST(CarryMorphs, UnmatchedMoveWithTheirNeighborsAndLoosePartsNotAtAll) {
     SurfaceMap map = identity_on(source);
     for (std::size_t v = 100; v < 140; ++v) map.image[v] = {};
     map.image.resize(static_cast<std::size_t>(target.n_vertices()));
-    const CarriedMorphs carried = carry_morphs(map, source, target, {shift});
+    const TransferredMorphTargets carried = transfer_morph_targets(map, source, target, {shift});
     EXPECT_EQ(carried.coverage.filled, 40);
     EXPECT_EQ(carried.coverage.guessed, 42);
     const Points& moved = carried.morphs[0].displacements;
@@ -121,12 +123,12 @@ TEST(CarryMorphs, UnmatchedMoveWithTheirNeighborsAndLoosePartsNotAtAll) {
 TEST(CarryMorphs, RefusesMorphsOfAnotherMesh) {
     const TriangleMesh mesh = make_icosphere(1);
     MorphTarget smile{"smile", Points::Zero(41, 3)};
-    test::expect_error<InvalidInput>([&] { carry_morphs(identity_on(mesh), mesh, mesh, {smile}); },
+    test::expect_error<InvalidInput>([&] { transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); },
                                      "morph 'smile' moves 41 vertices, but the source has 42");
     smile.displacements.setConstant(42, 3, std::nan(""));
-    test::expect_error<InvalidInput>([&] { carry_morphs(identity_on(mesh), mesh, mesh, {smile}); },
+    test::expect_error<InvalidInput>([&] { transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); },
                                      "not finite");
-    EXPECT_THROW(local_linear_maps(identity_on(mesh), mesh, mesh, {.smoothness = 0}), InvalidInput);
+    EXPECT_THROW(morphing::local_linear_maps(identity_on(mesh), mesh, mesh, {.smoothness = 0}), InvalidInput);
 }
 
 }  // namespace

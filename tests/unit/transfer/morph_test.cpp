@@ -102,5 +102,26 @@ TEST(Morph, RefusesWhatItCannotUse) {
     EXPECT_THROW(morph_frames(mesh, mesh.vertices, -1), InvalidInput);
 }
 
+TEST(LastPose, UnmatchedVerticesFollowTheWhole) {
+    const TriangleMesh first = make_body({.subdivisions = 1});
+    TriangleMesh last = first;
+    last.vertices = (2 * turned(first.vertices, 1.2)).rowwise() + Eigen::RowVector3d(1, -2, 3);
+    SurfaceMap map = surface_map_of(identity_map(first.n_vertices()), last);
+    for (Index v = 0; v < first.n_vertices(); v += 3) map.image[static_cast<std::size_t>(v)] = {};
+    const LastPose pose = last_pose(first, last, map);
+    EXPECT_EQ(pose.n_followers, (first.n_vertices() + 2) / 3);
+    EXPECT_LT((pose.vertices - last.vertices).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(LastPose, RefusesAComponentWithoutAnyMatch) {
+    const TriangleMesh body = make_body({.subdivisions = 0});
+    TriangleMesh two{Points(2 * body.n_vertices(), 3), Triangles(2 * body.n_triangles(), 3)};
+    two.vertices << body.vertices, body.vertices.rowwise() + Eigen::RowVector3d(5, 0, 0);
+    two.triangles << body.triangles, body.triangles.array() + body.n_vertices();
+    SurfaceMap map = surface_map_of(identity_map(two.n_vertices()), two);
+    for (Index v = body.n_vertices(); v < two.n_vertices(); ++v) map.image[static_cast<std::size_t>(v)] = {};
+    EXPECT_THROW(last_pose(two, two, map), InvalidInput);
+}
+
 }  // namespace
 }  // namespace counterpart

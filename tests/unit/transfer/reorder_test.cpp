@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "support/edited_map.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/shuffle.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
 #include <gtest/gtest.h>
@@ -12,8 +14,7 @@ namespace {
 
 TEST(Reorder, RefusesAMapThatIsNotComplete) {
     const TriangleMesh mesh = make_grid(2, 2);
-    VertexMap map = identity_map(mesh.n_vertices());
-    map.image[3] = VertexMap::unmatched;
+    const VertexMap map = test::with_image(identity_map(mesh.n_vertices()), 3, VertexMap::unmatched);
     EXPECT_THROW(reorder(mesh, mesh, map), InvalidInput);
     EXPECT_THROW(reorder(mesh, mesh, identity_map(4)), InvalidInput);
 }

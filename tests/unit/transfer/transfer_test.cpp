@@ -4,10 +4,10 @@
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/disguise.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/transfer/normals.hpp>
+#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/transfer/attributes.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <limits>
@@ -49,14 +49,14 @@ TEST(TransferAttributes, EverythingComesBackFromAShuffledCopy) {
     AttributedMesh target;
     target.mesh = copy.mesh;
     const TransferResult result =
-        transfer_attributes(surface_map_of(invert(there), source.mesh), source, target);
+        transfer_through_inverse(source, target, surface_map_of(invert(there), source.mesh));
     std::vector<std::string> names;
     for (const TransferredAttribute& one : result.attributes) {
         names.push_back(one.name);
-        EXPECT_EQ(one.coverage.carried, source.mesh.n_vertices());
+        EXPECT_EQ(one.coverage.transferred, source.mesh.n_vertices());
         EXPECT_EQ(one.moved_vertices, 0);
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"texture coordinates 0", "texture coordinates 1", "colours",
+    EXPECT_EQ(names, (std::vector<std::string>{"texture coordinates 0", "texture coordinates 1", "colors",
                                                "skin weights", "1 morph targets", "normals"}));
     const AttributedMesh& content = result.content;
     EXPECT_EQ(content.mesh.vertices, copy.mesh.vertices);
@@ -90,25 +90,25 @@ TEST(TransferAttributes, WhatIsNotWantedStays) {
     target.colors = {{Matrix::Constant(1, 3, 0.25), Triangles::Zero(source.mesh.n_triangles(), 3)}};
     const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
     const TransferOptions none{false, false, false, false, false, false};
-    const TransferResult untouched = transfer_attributes(map, source, target, none);
+    const TransferResult untouched = transfer_through_inverse(source, target, map, none);
     EXPECT_TRUE(untouched.attributes.empty());
     EXPECT_EQ(untouched.content.colors[0].values, target.colors[0].values);
     EXPECT_TRUE(untouched.content.parts.empty());
     TransferOptions only_material = none;
-    only_material.material = true;
-    EXPECT_EQ(transfer_attributes(map, source, target, only_material).content.parts, source.parts);
+    only_material.materials = true;
+    EXPECT_EQ(transfer_through_inverse(source, target, map, only_material).content.parts, source.parts);
 }
 
 TEST(TransferAttributes, TheSkinBringsItsDocument) {
     AttributedMesh source = dressed_body(), target = dressed_body();
     target.parts.assign(source.parts.size(), 0);
-    source.document = std::make_shared<GltfDocument>();
-    target.document = std::make_shared<GltfDocument>();
+    source.document = std::make_shared<io::GltfContent>(io::GltfDocument{});
+    target.document = std::make_shared<io::GltfContent>(io::GltfDocument{});
     const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
-    const TransferResult all = transfer_attributes(map, source, target);
+    const TransferResult all = transfer_through_inverse(source, target, map);
     EXPECT_EQ(all.content.document, source.document);
     EXPECT_EQ(all.content.parts, source.parts);
-    const TransferResult without = transfer_attributes(map, source, target, {.skin = false});
+    const TransferResult without = transfer_through_inverse(source, target, map, {.skin = false});
     EXPECT_EQ(without.content.document, target.document);
     EXPECT_EQ(without.content.parts, target.parts);
     EXPECT_EQ(without.source_parts, source.parts);
@@ -119,7 +119,7 @@ TEST(TransferAttributes, ErrorsNameTheAttribute) {
     source.texture_coordinates[1].values(3, 0) = std::numeric_limits<double>::infinity();
     const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
     test::expect_error<InvalidInput>(
-        [&] { transfer_attributes(map, source, source); },
+        [&] { transfer_through_inverse(source, source, map); },
         "texture coordinates 1: the attribute holds a number that is not finite");
 }
 
@@ -132,7 +132,7 @@ TEST(CarryNormals, StandToTheSurfaceAsTheyDid) {
     leaning.values.rowwise() += Eigen::RowVector3d(0.3, 0, 0);
     leaning.values.rowwise().normalize();
     const SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);
-    const CarriedCorners carried = carry_normals(map, source, target, leaning);
+    const TransferredCorners carried = transfer_normals(map, source, target, leaning);
     double error = 0;
     for (Index t = 0; t < target.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {
@@ -149,7 +149,7 @@ TEST(CarryNormals, HardEdgesStayHard) {
     TriangleMesh target = source;
     target.vertices.col(0) *= 2;
     const SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);
-    const CarriedCorners carried = carry_normals(map, source, target, flat);
+    const TransferredCorners carried = transfer_normals(map, source, target, flat);
     const Points expected = triangle_normals(target);
     for (Index t = 0; t < target.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {

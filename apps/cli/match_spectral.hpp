@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match_methods.hpp"
+
+#include <counterpart/match/spectral.hpp>
+
+#include <filesystem>
+
+namespace counterpart::cli {
+
+struct SpectralArguments {
+    SpectralOptions options;
+    SpectralShapeOptions shape;
+    std::filesystem::path landmarks, inverse, confidence, alternatives;  // files; empty: none
+
+    /// With the landmarks read.
+    SpectralOptions options_for(const MatchInput& input) const;
+};
+
+/// Messages and report of a result; writes the files that were asked for.
+MatchOutcome spectral_outcome(const SpectralArguments& arguments, const SpectralResult& result);
+
+}  // namespace counterpart::cli

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/base/types.hpp>
+#include <counterpart/map/surface_map.hpp>
+
+namespace counterpart {
+
+/// Where vertices got their images or attributes from; the three sum to the number of vertices.
+struct Coverage {
+    Index transferred = 0;  ///< from the source, through the map
+    Index filled = 0;       ///< unmatched: extended from the vertices around them
+    Index guessed = 0;      ///< in components without any match: from the nearest matched vertex
+};
+
+struct CompletedMap {
+    SurfaceMap target_from_source;  ///< every source vertex matched
+    Coverage coverage;              ///< of the source's vertices
+};
+
+/// Gives unmatched vertices an image: the harmonic extension of the images around them, projected onto the
+/// target's surface; vertices of components without any match get the image of the nearest matched vertex.
+/// Matched vertices keep theirs bit for bit. O(n^1.5 + n log F) for n unmatched vertices. Throws InvalidInput
+/// if the map does not fit the meshes or matches nothing.
+CompletedMap complete_map(const SurfaceMap& target_from_source, const TriangleMesh& source,
+                          const TriangleMesh& target);
+
+}  // namespace counterpart

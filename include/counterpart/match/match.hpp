@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/match/differences.hpp>
+#include <counterpart/match/exact.hpp>
+#include <counterpart/match/frontiers.hpp>
+#include <counterpart/match/spectral.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace counterpart {
+
+enum class MatchMethod {
+    automatic,   ///< the first of exact, spectral, nearest that can answer: see match
+    exact,       ///< same connectivity; else the part that the meshes share (match_exact, find_differences)
+    frontiers,   ///< same connectivity, by breadth-first frontiers (match_frontiers)
+    spectral,    ///< any two triangulations of alike shapes (match_spectral)
+    nearest,     ///< closest vertices after the centers of mass are aligned (match_nearest)
+    assignment,  ///< one to one with the least total distance (match_assignment)
+};
+/// "automatic", "exact", ...
+std::string to_string(MatchMethod method);
+
+struct MatchOptions {
+    MatchMethod method = MatchMethod::automatic;
+    /// Automatic keeps the exact map of what the meshes share if it covers at least this share of the
+    /// vertices of both, 0.5 .. 1.
+    double min_shared = 0.9;
+    /// Of the methods; their n_threads and progress are replaced by those below.
+    ExactOptions exact{};
+    FrontiersOptions frontiers{};
+    SpectralOptions spectral{};
+    SpectralShapeOptions spectral_shape{};
+    int n_threads = 0;    ///< 0 = all; the result does not depend on it
+    Progress progress{};  ///< see base/progress.hpp
+};
+
+struct MatchResult {
+    VertexMap target_from_source;
+    MatchMethod method = MatchMethod::automatic;  ///< the one that found the map
+    std::string reason;                           ///< why automatic chose it, as a sentence; else empty
+    /// Per source vertex, in [0, 1]: 1 where connectivity determines the partner, 0.5 where it leaves a
+    /// doubt, 0 for vertices that are unmatched or only follow those around them; of spectral its own; of
+    /// nearest and assignment 0, as nothing speaks for them but place.
+    Vector confidence;
+    Index n_filled = 0;                 ///< vertices without a partner that follow those around them
+    std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
+    std::vector<std::string> notices;   ///< sentences: what was noticed on the way, such as symmetry
+    std::vector<StageTime> stages;
+
+    // What the methods that ran found, with their details.
+    std::optional<ExactResult> exact{};
+    std::optional<MeshDifferences> differences{};
+    std::optional<FrontiersResult> frontiers{};
+    std::optional<SpectralResult> spectral{};
+};
+
+/// Which target vertex is each source vertex? With method automatic:
+///
+///   1. the same connectivity: the isomorphism, which is exact (match_exact);
+///   2. nearly the same (min_shared of both meshes agree): the partial isomorphism (find_differences), and
+///   the
+///      vertices between follow those around them over the surface (complete_map);
+///   3. otherwise the spectral map (match_spectral), which matches every vertex;
+///   4. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
+///      similarity alignment.
+///
+/// Asking for the mirrored map (spectral.symmetric) or giving landmarks skips 1 and 2. Throws InvalidInput
+/// for invalid meshes or options (a method's own are checked when it runs), Canceled; a method that is asked
+/// for by name also throws what it throws itself.
+MatchResult match(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options = {});
+
+}  // namespace counterpart

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace counterpart {
+
+/// A map to show.
+struct ViewerMap {
+    std::string name;  ///< as shown in the list of maps
+    VertexMap target_from_source;
+    /// Error per source vertex, in units of sqrt(target area) / 100; NaN where unknown, infinite where the
+    /// map leads to another component. Empty = no ground truth.
+    std::vector<double> error{};
+};
+
+/// The coordinate axis that points up on the screen.
+enum class UpAxis { x, y, z };
+
+struct ViewerOptions {
+    std::string source_name = "source", target_name = "target";
+    /// True target vertex of each source vertex, or VertexMap::unmatched where unknown. Empty = no ground
+    /// truth.
+    std::vector<Index> truth{};
+    UpAxis up = UpAxis::y;
+    /// The seed vertex of the source for frontiers; -1 = selected by the page, at an end of the source.
+    Index base_vertex = -1;
+};
+
+/// One HTML file that shows the two meshes side by side with the maps between them, in any browser with WebGL
+/// 2 and without a network: the prebuilt viewer with meshes and maps embedded as base64. Positions are
+/// rounded to 1/65535 of their mesh's box; indices are exact. The target is initially rotated so that the
+/// first map's pairs agree best. Takes 8 bytes per vertex and 8 (16 above 65536 vertices) per triangle of
+/// each mesh, and 5.3 per source vertex and map (twice that with errors), on top of the viewer itself. O(V +
+/// F). Throws InvalidInput for an invalid mesh, no map, a map, error or truth that does not fit the meshes
+/// (the message names the map), or a base vertex out of range.
+std::string viewer_page(const TriangleMesh& source, const TriangleMesh& target,
+                        const std::vector<ViewerMap>& maps, const ViewerOptions& options = {});
+
+}  // namespace counterpart

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/isomorphism/traversal.hpp"
+
+namespace counterpart::isomorphism {
+
+std::vector<Color> vertex_colors(const DartMap& map, int rounds) {
+    const auto n = to_size(map.n_vertices());
+    const std::size_t n_corners = map.corner.size();
+    std::vector<Color> colors(n, 0);
+    for (std::size_t h = 0; h < n_corners; ++h) {
+        const auto v = to_size(map.corner[h]);
+        colors[v] += 1;
+        if (map.twin[h] != no_dart) continue;
+        colors[v] += 1U << 16U;  // both ends of a border, alike in both directions
+        colors[to_size(map.corner[h % 3 == 2 ? h - 2 : h + 1])] += 1U << 16U;
+    }
+    for (Color& color : colors) color = mix(color);
+    return refined_colors(map, std::move(colors), rounds);
+}
+
+std::vector<Color> refined_colors(const DartMap& map, std::vector<Color> colors, int rounds) {
+    const std::size_t n = colors.size(), n_corners = map.corner.size();
+    std::vector<Color> sums(n);
+    for (int round = 0; round < rounds; ++round) {
+        sums.assign(n, 0);
+        for (std::size_t h = 0; h < n_corners; h += 3) {
+            const auto u = to_size(map.corner[h]), v = to_size(map.corner[h + 1]),
+                       w = to_size(map.corner[h + 2]);
+            const Color triangle = mix(colors[u] + colors[v] + colors[w]);
+            sums[u] += triangle;
+            sums[v] += triangle;
+            sums[w] += triangle;
+        }
+        for (std::size_t v = 0; v < n; ++v) colors[v] = mix(3 * colors[v] + sums[v]);
+    }
+    return colors;
+}
+
+// From the image of a dart to that of corner 0, direction 0 of its triangle.
+static Dart image_of_first(Dart dart, Dart image) {
+    const Dart corner = corner_of(dart);
+    return next(image ^ direction_of(dart), corner == 0 ? 0 : 3 - corner);
+}
+
+Images SimultaneousTraversal::run(Index component_a, Dart root_a, Dart root_b) {
+    const Index first = a_.component_begin[to_size(component_a)];
+    const auto size = to_size(a_.component_size(component_a));
+    if (images_.size() < size) {
+        images_.resize(size, no_dart);
+        queue_.resize(size + 1);  // a step writes to the place behind the last, whether or not it stays
+    }
+    images_[to_size(triangle_of(root_a) - first)] = image_of_first(root_a, root_b);
+    queue_[0] = triangle_of(root_a);
+    visited_ = 1;
+
+    const bool agree =
+        extend(first) && visited_ == size && vertices_agree(first, a_.component_size(component_a));
+    steps_ += visited_;
+    Images result;
+    if (agree) result.assign(images_.begin(), images_.begin() + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t k = 0; k < visited_; ++k) images_[to_size(queue_[k] - first)] = no_dart;
+    return result;
+}
+
+// A map that respects every edge between connected components of one size is onto, and so one-to-one. Whether
+// a neighbor is new cannot be predicted, so both cases take the same steps.
+bool SimultaneousTraversal::extend(Index first) {
+    Dart* const images = images_.data();
+    Index* const queue = queue_.data();
+    std::size_t visited = visited_;
+    bool agree = true;
+    for (std::size_t k = 0; k < visited && agree; ++k) {
+        Dart f = make_dart(queue[k], 0), g = images[queue[k] - first];
+        for (int side = 0; side < 3; ++side, f = next(f, 1), g = next(g, 1)) {
+            const Dart over_f = a_.across(f), over_g = b_.across(g);
+            agree = agree && (over_f == no_dart) == (over_g == no_dart);
+            if (over_f == no_dart || !agree) continue;
+            const Dart image = image_of_first(over_f, over_g);
+            Dart& known = images[triangle_of(over_f) - first];
+            const bool is_new = known == no_dart;
+            agree = is_new || known == image;
+            known = is_new ? image : known;
+            queue[visited] = triangle_of(over_f);
+            visited += is_new ? 1 : 0;
+        }
+    }
+    visited_ = visited;
+    return agree;
+}
+
+// Edges alone do not see that fans meet in one vertex (a pinch).
+bool SimultaneousTraversal::vertices_agree(Index first, Index size) {
+    vertex_image_.resize(to_size(a_.n_vertices()), -1);
+    vertex_origin_.resize(to_size(b_.n_vertices()), -1);
+    bool agree = true;
+    seen_.clear();
+    for (Index t = first; t < first + size && agree; ++t) {
+        Dart g = images_[to_size(t - first)];
+        for (std::size_t c = 0; c < 3; ++c, g = next(g, 1)) {
+            const Index a = a_.corner[3 * to_size(t) + c], b = b_.origin(g);
+            Index& image = vertex_image_[to_size(a)];
+            Index& origin = vertex_origin_[to_size(b)];
+            if (image < 0 && origin < 0) {
+                image = b;
+                origin = a;
+                seen_.push_back(a);
+            }
+            agree = agree && image == b && origin == a;
+        }
+    }
+    for (const Index a : seen_) {
+        vertex_origin_[to_size(vertex_image_[to_size(a)])] = -1;
+        vertex_image_[to_size(a)] = -1;
+    }
+    return agree;
+}
+
+}  // namespace counterpart::isomorphism

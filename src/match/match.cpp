@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include <counterpart/base/errors.hpp>
+#include <counterpart/map/complete.hpp>
+#include <counterpart/match/assignment.hpp>
+#include <counterpart/match/match.hpp>
+#include <counterpart/match/nearest.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+// Shares of the progress bar: the exact tests take milliseconds where spectral takes seconds.
+constexpr double exact_ends = 0.02, differences_end = 0.05;
+
+// A method that turns out not to work has already reported; the next one begins where it did.
+Progress never_decreasing(const Progress& progress) {
+    if (!progress) return {};
+    return [progress, most = std::make_shared<double>(0)](double fraction) {
+        *most = std::max(*most, fraction);
+        return progress(*most);
+    };
+}
+
+// One matcher run on one pair; each step fills in the result or leaves it to the next.
+class Matching {
+  public:
+    Matching(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options)
+        : source_(source), target_(target), options_(options), progress_(never_decreasing(options.progress)) {
+        require_valid(source);
+        require_valid(target);
+        if (!(options.min_shared >= 0.5 && options.min_shared <= 1))
+            throw InvalidInput(fmt::format("min_shared must be from 0.5 to 1, not {}", options.min_shared));
+        if (options.n_threads < 0)
+            throw InvalidInput(fmt::format("n_threads must be 0 (all) or more, not {}", options.n_threads));
+    }
+
+    MatchResult automatic() {
+        const bool only_spectral = options_.spectral.symmetric || !options_.spectral.landmarks.empty();
+        if (only_spectral)
+            reason_ = options_.spectral.symmetric ? "the mirrored map was asked for" : "landmarks are given";
+        else if (by_connectivity())
+            return finished(MatchMethod::exact);
+        if (spectral_or_why_not()) return finished(MatchMethod::spectral);
+        nearest(NearestAlignment::similarity, differences_end);
+        return finished(MatchMethod::nearest);
+    }
+
+    MatchResult by_name() {
+        switch (options_.method) {
+            case MatchMethod::exact:
+                if (!exact(0, exact_ends)) {
+                    find_shared(exact_ends, 1);
+                    take_shared();
+                }
+                break;
+            case MatchMethod::frontiers:
+                frontiers();
+                break;
+            case MatchMethod::spectral:
+                spectral(0);
+                break;
+            case MatchMethod::nearest:
+                nearest(NearestAlignment::centroids, 0);
+                break;
+            case MatchMethod::assignment:
+                assignment();
+                break;
+            case MatchMethod::automatic:
+                break;
+        }
+        return finished(options_.method);
+    }
+
+  private:
+    // The same connectivity, or nearly.
+    bool by_connectivity() {
+        try {
+            if (exact(0, exact_ends)) {
+                reason_ = "the meshes have the same connectivity";
+                return true;
+            }
+            reason_ = "the connectivity differs: " + result_.exact->difference;
+        } catch (const NumericalError& error) {  // a non-manifold mesh that fits in too many ways
+            reason_ = fmt::format("the connectivity does not decide ({})", error.what());
+        }
+        const MeshDifferences& shared = find_shared(exact_ends, differences_end);
+        if (shared.is_ambiguous || std::min(shared.source_share, shared.target_share) < options_.min_shared)
+            return false;
+        reason_ = "the meshes have nearly the same connectivity: " + shared.summary;
+        take_shared();
+        fill_gaps();
+        return true;
+    }
+
+    bool exact(double begin, double end) {
+        ExactOptions options = options_.exact;
+        options.n_threads = options_.n_threads;
+        options.progress = part_of(progress_, begin, end);
+        result_.exact = match_exact(source_, target_, options);
+        watch_.lap("exact");
+        if (!result_.exact->identical) return false;
+        result_.target_from_source = result_.exact->target_from_source;
+        result_.notices = result_.exact->notices;
+        result_.confidence = Vector::Ones(source_.n_vertices());
+        return true;
+    }
+
+    const MeshDifferences& find_shared(double begin, double end) {
+        result_.differences = find_differences(
+            source_, target_, {.n_threads = options_.n_threads, .progress = part_of(progress_, begin, end)});
+        watch_.lap("differences");
+        return *result_.differences;
+    }
+
+    void take_shared() {
+        const MeshDifferences& shared = *result_.differences;
+        result_.target_from_source = shared.target_from_source;
+        result_.confidence.resize(source_.n_vertices());
+        for (Index v = 0; v < source_.n_vertices(); ++v)
+            result_.confidence[v] = shared.target_from_source[v] == VertexMap::unmatched ? 0 : 1;
+        for (const Index v : shared.uncertain) result_.confidence[v] = std::min(result_.confidence[v], 0.5);
+    }
+
+    // Vertices without a partner follow those around them; their confidence stays 0.
+    void fill_gaps() {
+        const Index n_matched = count_matched(result_.target_from_source);
+        if (n_matched == 0 || n_matched == source_.n_vertices()) return;
+        const CompletedMap completed =
+            complete_map(surface_map_of(result_.target_from_source, target_), source_, target_);
+        const VertexMap corners = nearest_corners(completed.target_from_source, target_);
+        std::vector<Index> image = result_.target_from_source.image();
+        for (std::size_t v = 0; v < image.size(); ++v) {
+            if (image[v] != VertexMap::unmatched) continue;
+            image[v] = corners[static_cast<Index>(v)];
+            ++result_.n_filled;
+        }
+        result_.target_from_source = VertexMap(std::move(image), target_.n_vertices());
+        watch_.lap("fill");
+    }
+
+    void frontiers() {
+        FrontiersOptions options = options_.frontiers;
+        options.n_threads = options_.n_threads;
+        options.progress = progress_;
+        result_.frontiers = match_frontiers(source_, target_, options);
+        result_.target_from_source = result_.frontiers->target_from_source;
+        result_.confidence = result_.frontiers->confidence;
+        watch_.lap("frontiers");
+    }
+
+    void spectral(double begin) {
+        SpectralOptions options = options_.spectral;
+        SpectralShapeOptions shape = options_.spectral_shape;
+        options.n_threads = shape.n_threads = options_.n_threads;
+        options.progress = part_of(progress_, begin, 1);
+        result_.spectral = match_spectral(source_, target_, options, shape);
+        result_.target_from_source = result_.spectral->target_from_source;
+        result_.confidence = result_.spectral->confidence;
+        result_.warnings = result_.spectral->warnings;
+        watch_.lap("spectral");
+    }
+
+    // False where a mesh is not one that spectral can work on; the reason then says why.
+    bool spectral_or_why_not() {
+        try {
+            spectral(differences_end);
+            return true;
+        } catch (const UnsuitableMesh& error) {
+            reason_ += fmt::format("; {}", error.what());
+            return false;
+        }
+    }
+
+    void nearest(NearestAlignment alignment, double begin) {
+        result_.target_from_source = match_nearest(source_, target_,
+                                                   {.alignment = alignment,
+                                                    .n_threads = options_.n_threads,
+                                                    .progress = part_of(progress_, begin, 1)})
+                                         .target_from_source;
+        result_.confidence = Vector::Zero(source_.n_vertices());
+        if (options_.method == MatchMethod::automatic)
+            result_.warnings.push_back(
+                "matched by position alone, after the best similarity alignment: check the map");
+        watch_.lap("nearest");
+    }
+
+    void assignment() {
+        result_.target_from_source =
+            match_assignment(source_, target_, {.progress = progress_}).target_from_source;
+        result_.confidence = Vector::Zero(source_.n_vertices());
+        watch_.lap("assignment");
+    }
+
+    MatchResult finished(MatchMethod method) {
+        result_.method = method;
+        if (options_.method == MatchMethod::automatic) result_.reason = std::move(reason_);
+        result_.stages = watch_.stages();
+        report_progress(progress_, 1);
+        return std::move(result_);
+    }
+
+    const TriangleMesh& source_;
+    const TriangleMesh& target_;
+    const MatchOptions& options_;
+    const Progress progress_;
+    Stopwatch watch_;
+    std::string reason_;
+    MatchResult result_;
+};
+
+}  // namespace
+
+std::string to_string(MatchMethod method) {
+    switch (method) {
+        case MatchMethod::automatic:
+            return "automatic";
+        case MatchMethod::exact:
+            return "exact";
+        case MatchMethod::frontiers:
+            return "frontiers";
+        case MatchMethod::spectral:
+            return "spectral";
+        case MatchMethod::nearest:
+            return "nearest";
+        case MatchMethod::assignment:
+            return "assignment";
+    }
+    return "unknown";
+}
+
+MatchResult match(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options) {
+    Matching matching(source, target, options);
+    return options.method == MatchMethod::automatic ? matching.automatic() : matching.by_name();
+}
+
+}  // namespace counterpart

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/partial/edits.hpp"
+
+#include "match/isomorphism/dart_map.hpp"
+#include "mesh/disjoint_sets.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace counterpart::partial {
+
+using isomorphism::to_size;
+
+namespace {
+
+// Vertices of both meshes under one numbering: a matched target vertex has its source vertex's number.
+class CommonNames {
+  public:
+    CommonNames(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& map)
+        : source_(source), target_(target), name_(to_size(target.n_vertices())) {
+        std::iota(name_.begin(), name_.end(), source.n_vertices());
+        for (Index v = 0; v < source.n_vertices(); ++v)
+            if (map[v] >= 0) name_[to_size(map[v])] = v;
+    }
+    Index corner(bool in_target, Index triangle, int c) const {
+        return in_target ? name_[to_size(target_.triangles(triangle, c))] : source_.triangles(triangle, c);
+    }
+
+  private:
+    const TriangleMesh& source_;
+    const TriangleMesh& target_;
+    std::vector<Index> name_;
+};
+
+struct Item {
+    bool in_target;
+    Index triangle;
+};
+
+// The two vertices on the edge that two triangles share, as numbers of that mesh; {-1, -1} if they do not.
+std::pair<Index, Index> shared_edge(const TriangleMesh& mesh, Index t, Index u) {
+    std::vector<Index> shared;
+    for (int c = 0; c < 3; ++c)
+        for (int d = 0; d < 3; ++d)
+            if (mesh.triangles(t, c) == mesh.triangles(u, d)) shared.push_back(mesh.triangles(t, c));
+    return shared.size() == 2 ? std::pair(shared[0], shared[1]) : std::pair(Index{-1}, Index{-1});
+}
+
+std::string missing(std::string_view from, const TriangleMesh& mesh, const std::vector<Index>& triangles,
+                    const std::vector<Index>& vertices) {
+    std::set<Index> all;
+    for (const Index t : triangles)
+        for (int c = 0; c < 3; ++c) all.insert(mesh.triangles(t, c));
+    if (all.size() == vertices.size())
+        return fmt::format("the {} lacks a component of {} faces (with vertex {})", from, triangles.size(),
+                           vertices[0]);
+    if (triangles.size() == 1) {
+        const Index t = triangles[0];
+        return fmt::format("face {} ({}, {}, {}) is missing in the {}", t, mesh.triangles(t, 0),
+                           mesh.triangles(t, 1), mesh.triangles(t, 2), from);
+    }
+    return fmt::format("{} faces around face {} are missing in the {}", triangles.size(), triangles[0], from);
+}
+
+std::string describe(const TriangleMesh& source, const TriangleMesh& target, const Edit& edit) {
+    const std::size_t n = edit.source_triangles.size(), m = edit.target_triangles.size(),
+                      gone = edit.source_vertices.size(), added = edit.target_vertices.size();
+    if (m == 0) return missing("target", source, edit.source_triangles, edit.source_vertices);
+    if (n == 0) return missing("source", target, edit.target_triangles, edit.target_vertices);
+    if (n == 2 && m == 2 && gone == 0 && added == 0) {
+        const auto [a, b] = shared_edge(source, edit.source_triangles[0], edit.source_triangles[1]);
+        const auto [c, d] = shared_edge(target, edit.target_triangles[0], edit.target_triangles[1]);
+        if (a >= 0 && c >= 0)
+            return fmt::format("edge {}-{} of the source is flipped: {}-{} in the target", a, b, c, d);
+    }
+    if (gone == 1 && added == 0 && n == m + 2)
+        return fmt::format("vertex {} of the source with its {} faces is replaced by {} faces in the target",
+                           edit.source_vertices[0], n, m);
+    if (gone == 0 && added == 1 && m == n + 2)
+        return fmt::format("vertex {} is added in the target: {} faces of the source became {}",
+                           edit.target_vertices[0], n, m);
+    if (gone == 0 && added == 0 && n == m)
+        return fmt::format(
+            "{} faces around face {} of the source are triangulated differently (several flipped edges)", n,
+            edit.source_triangles[0]);
+    return fmt::format(
+        "{} faces and {} vertices around face {} of the source are replaced by {} faces and {} vertices "
+        "around face {} of the target",
+        n, gone, edit.source_triangles[0], m, added, edit.target_triangles[0]);
+}
+
+}  // namespace
+
+std::vector<Edit> find_edits(const TriangleMesh& source, const TriangleMesh& target,
+                             const MeshDifferences& differences) {
+    const CommonNames names(source, target, differences.target_from_source.image());
+    std::vector<Item> items;
+    for (const Index t : differences.source_triangles) items.push_back({false, t});
+    for (const Index t : differences.target_triangles) items.push_back({true, t});
+    mesh::DisjointSets places(static_cast<Index>(items.size()));
+    std::map<std::pair<Index, Index>, Index> at_edge;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const Index a = names.corner(items[i].in_target, items[i].triangle, c),
+                        b = names.corner(items[i].in_target, items[i].triangle, (c + 1) % 3);
+            const auto [other, is_new] = at_edge.try_emplace(std::minmax(a, b), static_cast<Index>(i));
+            if (!is_new) places.join(static_cast<Index>(i), other->second);
+        }
+    }
+    std::map<Index, Edit> by_root;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        Edit& edit = by_root[places.root(static_cast<Index>(i))];
+        (items[i].in_target ? edit.target_triangles : edit.source_triangles).push_back(items[i].triangle);
+    }
+    const auto collect = [](const TriangleMesh& mesh, const std::vector<Index>& triangles,
+                            const std::vector<Index>& unmatched) {
+        std::set<Index> found;
+        for (const Index t : triangles)
+            for (int c = 0; c < 3; ++c)
+                if (std::binary_search(unmatched.begin(), unmatched.end(), mesh.triangles(t, c)))
+                    found.insert(mesh.triangles(t, c));
+        return std::vector<Index>(found.begin(), found.end());
+    };
+    std::vector<Edit> edits;
+    for (auto& [root, edit] : by_root) {
+        edit.source_vertices = collect(source, edit.source_triangles, differences.source_vertices);
+        edit.target_vertices = collect(target, edit.target_triangles, differences.target_vertices);
+        edit.sentence = describe(source, target, edit);
+        edits.push_back(std::move(edit));
+    }
+    return edits;
+}
+
+}  // namespace counterpart::partial

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/candidate.hpp"
+
+#include <algorithm>
+
+namespace counterpart::spectral_match {
+
+MapDistance::MapDistance(const SampledPair& pair) : a_(pair.a), b_(pair.b) {
+    const auto nearest = [](const PreparedShape& shape, Index n_samples) {
+        std::vector<Index> result;
+        for (Index s = 0; s < n_samples; ++s) {
+            Eigen::Index row = 0;
+            shape.sample_distances.col(shape.samples[static_cast<std::size_t>(s)]).minCoeff(&row);
+            result.push_back(static_cast<Index>(row));
+        }
+        return result;
+    };
+    nearest_a_ = nearest(a_, pair.points_a.size());
+    nearest_b_ = nearest(b_, pair.points_b.size());
+}
+
+double MapDistance::operator()(const PairedMaps& x, const PairedMaps& y) const {
+    const auto mean = [](const PreparedShape& to, const std::vector<Index>& nearest,
+                         const std::vector<Index>& f, const std::vector<Index>& g) {
+        double sum = 0;
+        for (std::size_t s = 0; s < f.size(); ++s) {
+            const Index i = nearest[static_cast<std::size_t>(f[s])],
+                        j = nearest[static_cast<std::size_t>(g[s])];
+            sum += to.sample_distances(i, to.samples[static_cast<std::size_t>(j)]);
+        }
+        return sum / static_cast<double>(std::max<std::size_t>(f.size(), 1));
+    };
+    return (mean(b_, nearest_b_, x.b_from_a, y.b_from_a) + mean(a_, nearest_a_, x.a_from_b, y.a_from_b)) / 2;
+}
+
+double MapDistance::on_b(Index sample, Index other) const {
+    return b_.sample_distances(
+        nearest_b_[static_cast<std::size_t>(sample)],
+        b_.samples[static_cast<std::size_t>(nearest_b_[static_cast<std::size_t>(other)])]);
+}
+
+double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const {
+    std::size_t count = 0;
+    for (std::size_t s = 0; s < x.b_from_a.size(); ++s) {
+        const Index i = nearest_b_[static_cast<std::size_t>(x.b_from_a[s])];
+        const Index j = nearest_b_[static_cast<std::size_t>(y.b_from_a[s])];
+        if (b_.sample_distances(i, b_.samples[static_cast<std::size_t>(j)]) > distance) ++count;
+    }
+    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
+}
+
+void sort_by_score(std::vector<Candidate>& candidates) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
+}
+
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double min_difference,
+                   std::size_t count) {
+    sort_by_score(candidates);
+    std::vector<Candidate> kept;
+    for (Candidate& candidate : candidates) {
+        if (kept.size() == count) break;
+        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
+            return distance(candidate.maps, other.maps) >= min_difference;
+        });
+        if (is_new) kept.push_back(std::move(candidate));
+    }
+    candidates = std::move(kept);
+}
+
+}  // namespace counterpart::spectral_match

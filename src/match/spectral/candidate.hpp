@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/spectral/scores.hpp"
+
+namespace counterpart::spectral_match {
+
+/// A map under consideration, between the first n samples of either shape.
+struct Candidate {
+    PairedMaps maps;
+    PairedFunctionalMaps functional;
+    Scores scores;
+    bool was_flipped = false;  // its sign flips have been tried
+};
+
+/// Mean distance between two maps of samples, measured between nearest distance samples.
+class MapDistance {
+  public:
+    explicit MapDistance(const SampledPair& pair);
+    /// On B and on A, the mean of both directions.
+    double operator()(const PairedMaps& x, const PairedMaps& y) const;
+    /// Distance on B between two of its samples.
+    double on_b(Index sample, Index other) const;
+    /// Share of the samples of A whose images are farther apart than `distance`.
+    double share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const;
+
+  private:
+    const PreparedShape& a_;
+    const PreparedShape& b_;
+    std::vector<Index> nearest_a_, nearest_b_;  // distance sample of each sample
+};
+
+void sort_by_score(std::vector<Candidate>& candidates);
+
+/// Sorts by score and keeps the best `count` that are at least `min_difference` apart.
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double min_difference,
+                   std::size_t count);
+
+}  // namespace counterpart::spectral_match

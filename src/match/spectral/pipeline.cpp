@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/pipeline.hpp"
+
+#include "match/spectral/candidates.hpp"
+#include "match/spectral/confidence.hpp"
+#include "match/spectral/refinement.hpp"
+#include "match/spectral/restricted_nearest.hpp"
+#include "match/spectral/selection.hpp"
+#include "match/spectral/trial.hpp"
+#include "match/spectral/warnings.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// The landmarks as vertices of the matched parts.
+std::vector<std::pair<Index, Index>> landmarks_of(const SpectralOptions& options, const Preprocessed& source,
+                                                  const Preprocessed& target) {
+    auto landmarks = options.landmarks;
+    for (auto& [s, t] : landmarks) {
+        s = source.matched_of_input[static_cast<std::size_t>(s)];
+        t = target.matched_of_input[static_cast<std::size_t>(t)];
+    }
+    return landmarks;
+}
+
+std::size_t n_samples(const PreparedShape& a, const PreparedShape& b) {
+    return std::max(a.samples.size(), b.samples.size());
+}
+
+// Stages 2 to 4: maps between all samples, best first.
+std::vector<Candidate> find_finalists(const PreparedShape& source, const PreparedShape& target,
+                                      const SpectralOptions& options, const SpectralTuning& tuning,
+                                      const ProgressRange& progress, Stopwatch& watch) {
+    const SampledPair coarse(source, target, tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
+    std::vector<Candidate> candidates =
+        find_candidates(coarse, landmarks_of(options, source.origin, target.origin), tuning.candidates,
+                        progress.part(0, 0.4));
+    watch.lap("candidates");
+    const std::size_t n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
+    candidates =
+        select(source, target, std::move(candidates), std::max(tuning.selection.n_finalists, n_asked),
+               tuning.selection, progress.part(0.4, 0.8));
+    watch.lap("selection");
+    run_trials(candidates, SampledPair(source, target, n_samples(source, target), 0), tuning.trial,
+               progress.part(0.8, 1));
+    watch.lap("trial");
+    return candidates;
+}
+
+void add_alternatives(SpectralResult& result, const SampledPair& pair,
+                      const std::vector<Candidate>& finalists, int count, const ConfidenceTuning& tuning,
+                      const ProgressRange& progress) {
+    for (std::size_t i = 1; i < finalists.size() && i <= static_cast<std::size_t>(count); ++i) {
+        PairedMaps maps = match_points_nearby(pair.a, pair.b, finalists[i].functional,
+                                              spread(pair.a, pair.b, finalists[i].maps), 1, {}, progress);
+        result.alternatives.push_back({{std::move(maps.b_from_a), pair.b.mesh.n_vertices()},
+                                       finalists[i].scores.total,
+                                       describe(pair, finalists[0], finalists[i], tuning)});
+    }
+}
+
+// Stages 5 and 6: the best of the finalists on all vertices, and what is to be said about it.
+SpectralResult finish(const PreparedShape& source, const PreparedShape& target,
+                      const std::vector<Candidate>& finalists, const SpectralOptions& options,
+                      const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch& watch) {
+    PairedMaps maps =
+        refine(source, target, finalists.front(), tuning.refinement, progress.part(0, 0.9)).maps;
+    watch.lap("refinement");
+    const SampledPair pair(source, target, n_samples(source, target), 0);
+    SpectralResult result;
+    result.score = finalists.front().scores.total;
+    result.margin = finalists.size() > 1 ? result.score - finalists[1].scores.total
+                                         : std::numeric_limits<double>::infinity();
+    result.confidence = confidence(pair, maps, finalists, tuning.confidence);
+    result.warnings = warnings(pair, finalists, tuning.confidence);
+    add_alternatives(result, pair, finalists, options.n_alternatives, tuning.confidence,
+                     progress.part(0.9, 1));
+    result.target_from_source = {std::move(maps.b_from_a), target.mesh.n_vertices()};
+    result.source_from_target = {std::move(maps.a_from_b), source.mesh.n_vertices()};
+    watch.lap("confidence");
+    return result;
+}
+
+// A result between matched parts as one between the inputs.
+SpectralResult between_inputs(SpectralResult result, const Preprocessed& source, const Preprocessed& target) {
+    result.target_from_source = between_inputs(result.target_from_source, source, target);
+    result.source_from_target = between_inputs(result.source_from_target, target, source);
+    for (SpectralAlternative& other : result.alternatives)
+        other.target_from_source = between_inputs(other.target_from_source, source, target);
+    result.confidence = Vector(result.confidence(source.matched_of_input));
+    for (const Index v : source.left_out) result.confidence[v] = 0;
+    return result;
+}
+
+}  // namespace
+
+SpectralResult match(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
+                     const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch watch) {
+    // One inside out: badly oriented, or the mirror image of what it was. Where both are searched, the better
+    // score tells, and only the winner is refined.
+    const bool may_be_mirrored =
+        !options.symmetric && source.origin.was_inside_out != target.origin.was_inside_out;
+    std::optional<PreparedShape> mirror;
+    if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
+    const PreparedShape* matched = options.symmetric ? &*mirror : &target;
+    std::vector<Candidate> finalists = find_finalists(source, *matched, options, tuning,
+                                                      progress.part(0, may_be_mirrored ? 0.3 : 0.6), watch);
+    std::string warning;
+    if (may_be_mirrored) {
+        std::vector<Candidate> others =
+            find_finalists(source, *mirror, options, tuning, progress.part(0.3, 0.6), watch);
+        const double before = finalists.front().scores.total, after = others.front().scores.total;
+        if (after > before + tuning.confidence.min_mirror_gain) {
+            warning = fmt::format(
+                "one mesh is the mirror image of the other (score {:.2f}, without mirroring "
+                "{:.2f}): the map reverses orientation (left to left)",
+                after, before);
+            matched = &*mirror;
+            finalists = std::move(others);
+        }
+    }
+    SpectralResult result =
+        finish(source, *matched, finalists, options, tuning, progress.part(0.6, 1), watch);
+    if (!warning.empty()) result.warnings.push_back(warning);
+    result.stages = watch.stages();
+    return between_inputs(std::move(result), source.origin, target.origin);
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/prepared_shape.hpp"
+
+#include "base/parallel.hpp"
+#include "geodesic/dijkstra.hpp"
+#include "match/spectral/partition.hpp"
+#include "numerics/symmetric_eigen.hpp"
+#include "spectral/subspace_basis.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/base/random.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
+#include <counterpart/geodesic/distances.hpp>
+#include <counterpart/geodesic/farthest_points.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+#include <fmt/format.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+TriangleMesh normalized(const TriangleMesh& mesh) {
+    TriangleMesh result = mesh;
+    const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
+    result.vertices.rowwise() -= center;
+    result.vertices /= std::sqrt(surface_area(mesh));
+    return result;
+}
+
+// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
+// unit area.
+constexpr float unreachable = 10;
+
+numerics::MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources,
+                              const ProgressRange& progress) {
+    numerics::MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
+    parallel_for_with(
+        sources.size(), 1, [&] { return geodesic::Dijkstra(graph); },
+        [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
+            progress.check();
+            dijkstra.search(sources.subspan(i, 1), {});
+            for (Index v = 0; v < graph.n_vertices(); ++v)
+                rows(static_cast<Eigen::Index>(i), v) =
+                    std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
+        });
+    return rows;
+}
+
+void sample(PreparedShape& shape, const DistanceGraph& graph, const PreparationOptions& options,
+            const PreparationTuning& tuning, const ProgressRange& progress) {
+    const auto n = static_cast<std::uint64_t>(shape.mesh.n_vertices());
+    const Index first = options.seed == 0 ? -1 : static_cast<Index>(Random(options.seed).below(n));
+    FarthestPointSamples bases = farthest_point_samples(
+        shape.mesh, graph,
+        {.count = static_cast<Index>(options.n_samples), .first = first, .progress = progress.callback()});
+    shape.samples = std::move(bases.vertices);
+    shape.cell_of_vertex = std::move(bases.sample_of_vertex);
+    for (Index& cell : shape.cell_of_vertex) cell = std::max(cell, 0);  // components without a sample
+    const auto n_rows = std::min(static_cast<std::size_t>(tuning.n_distance_samples), shape.samples.size());
+    shape.sample_distances = finite_rows(graph, std::span(shape.samples).first(n_rows), progress);
+}
+
+EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int n_functions,
+                    const PreparationTuning& tuning, const ProgressRange& progress) {
+    if (shape.mesh.n_vertices() <= tuning.large_mesh)
+        return eigen_basis(shape.laplacian, n_functions, progress.callback());
+    const auto n_locals = static_cast<Index>(
+        std::max(tuning.min_local_functions, tuning.local_functions_per_eigenfunction * n_functions));
+    const FarthestPointSamples locals = farthest_point_samples(
+        shape.mesh, graph, {.count = n_locals, .progress = progress.part(0, 0.4).callback()});
+    const double radius = tuning.local_radius / std::sqrt(std::numbers::pi * n_locals);
+    return subspace_eigen_basis(
+        shape.laplacian,
+        partition_of_unity(graph, locals.vertices, locals.sample_of_vertex, radius, progress.part(0.4, 0.5)),
+        n_functions, progress.part(0.5, 1).callback());
+}
+
+void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const ProgressRange& progress) {
+    shape.extremities =
+        geodesic::extremities(graph, shape.sample_distances.cast<double>().colwise().mean().transpose());
+    std::vector<Index> vertices;
+    for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
+    shape.extremity_distances = finite_rows(graph, vertices, progress);
+}
+
+// All normals along one line.
+bool is_flat(const PreparedShape& shape) {
+    const Eigen::Matrix3d spread = shape.normals.transpose() * shape.basis.mass.asDiagonal() * shape.normals;
+    const Eigen::Vector3d values = numerics::symmetric_eigen(spread).values;
+    return values[0] + values[1] < 1e-6 * values[2];
+}
+
+// Curvature spikes at single vertices would outweigh the rest.
+Vector clamped(const Vector& values, int percentile) {
+    std::vector<double> magnitudes(values.data(), values.data() + values.size());
+    for (double& x : magnitudes) x = std::abs(x);
+    std::sort(magnitudes.begin(), magnitudes.end());
+    const double bound = magnitudes[magnitudes.size() * static_cast<std::size_t>(percentile) / 100];
+    return values.cwiseMax(-bound).cwiseMin(bound);
+}
+
+// Each column's values replaced by the share of the area that has less, minus a half: the same distribution
+// on every shape, which no single feature can dominate.
+Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
+    const double area = mass.sum();
+    std::vector<Index> order(static_cast<std::size_t>(values.rows()));
+    for (Eigen::Index j = 0; j < values.cols(); ++j) {
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](Index a, Index b) { return values(a, j) < values(b, j); });
+        double below = 0;
+        Vector rank(values.rows());
+        for (const Index v : order) {
+            rank[v] = (below + mass[v] / 2) / area - 0.5;
+            below += mass[v];
+        }
+        values.col(j) = rank;
+    }
+    return values;
+}
+
+}  // namespace
+
+PreparedShape prepare(const TriangleMesh& mesh, const PreparationOptions& options,
+                      const PreparationTuning& tuning, const ProgressRange& progress) {
+    require_valid(mesh);
+    const double area = surface_area(mesh);
+    if (!(area > 0)) throw UnsuitableMesh("the mesh has no area: all its triangles are degenerate");
+    if (!std::isfinite(area)) throw UnsuitableMesh("the mesh is too large to measure: scale it down first");
+    PreparedShape shape;
+    shape.origin = preprocess(mesh, tuning);
+    if (shape.origin.mesh.n_vertices() < min_vertices)
+        throw UnsuitableMesh(
+            fmt::format("spectral matching needs meshes of at least {} vertices, not {}: too few to carry "
+                        "eigenfunctions; subdivide the mesh first",
+                        min_vertices, shape.origin.mesh.n_vertices()));
+    progress.reach(0.05);
+    shape.mesh = normalized(shape.origin.mesh);
+    shape.origin.mesh = {};
+    const DistanceGraph graph(shape.mesh);
+    sample(shape, graph, options, tuning, progress.part(0.05, 0.3));
+    find_extremities(shape, graph, progress);
+    progress.reach(0.35);
+    shape.laplacian = laplace_beltrami(shape.mesh);
+    shape.basis = basis_of(shape, graph, options.n_functions, tuning, progress.part(0.4, 0.9));
+    progress.reach(0.9);
+    shape.all.functions = shape.basis.eigenfunctions.cast<float>();
+    shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
+    shape.normals = vertex_normals(shape.mesh);
+    shape.flat = is_flat(shape);
+    progress.reach(0.93);
+    const Vector bent = clamped(mean_curvature(shape.mesh, shape.laplacian), tuning.curvature_percentile);
+    const auto& times = tuning.curvature_times;
+    shape.curvature = ranked(diffuse(bent, shape.basis, {times.begin(), times.end()}), shape.basis.mass);
+    progress.reach(0.95);
+    shape.wave_kernel = wave_kernel_signature(shape.basis);
+    progress.reach(0.97);
+    shape.orientation = orientation_tensor(shape.mesh, shape.basis);
+    progress.reach(1);
+    return shape;
+}
+
+PreparedShape mirrored(PreparedShape shape) {
+    shape.mesh.vertices.col(0) *= -1;
+    shape.mesh.triangles.col(1).swap(shape.mesh.triangles.col(2));
+    shape.normals.col(0) *= -1;
+    shape.orientation.values *= -1;
+    return shape;
+}
+
+SpectralPoints sampled(const PreparedShape& shape, std::size_t count) {
+    count = std::min(count, shape.samples.size());
+    SpectralPoints points{numerics::MatrixF(count, shape.all.functions.cols()), shape.all.frequencies};
+    for (std::size_t i = 0; i < count; ++i)
+        points.functions.row(static_cast<Eigen::Index>(i)) = shape.all.functions.row(shape.samples[i]);
+    return points;
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Stage 1: everything that is computed for one surface before the other is known. All at unit area.
+#pragma once
+
+#include "geodesic/extremities.hpp"
+#include "match/spectral/preprocess.hpp"
+#include "match/spectral/progress_range.hpp"
+#include "spectral/bijective_zoom_out.hpp"
+#include "spectral/orientation.hpp"
+
+#include <counterpart/spectral/eigen_basis.hpp>
+#include <counterpart/spectral/laplacian.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpart::spectral_match {
+
+using namespace numerics;
+using namespace spectral;  // this matcher is written in its terms
+
+struct PreparationOptions {
+    int n_functions = 200;
+    int n_samples = 1000;
+    std::uint64_t seed = 0;  // not 0: samples begin at a random vertex instead of the farthest one
+};
+
+struct PreparedShape {
+    Preprocessed origin;  // how the mesh below came from the input; its own mesh is moved out
+    TriangleMesh mesh;    // unit area, centered, outward
+    bool flat = false;
+    LaplaceBeltrami laplacian;
+    EigenBasis basis;
+    SpectralPoints all;  // at every vertex
+    Points normals;
+    /// V x 4: area ranks, in [-0.5, 0.5], of mean curvature at four scales, fine to coarse.
+    Eigen::MatrixXd curvature;
+    Eigen::MatrixXd wave_kernel;  // V x 40
+    OrientationTensor orientation;
+    std::vector<Index> samples;                    // farthest points, in that order
+    std::vector<Index> cell_of_vertex;             // number of the nearest sample
+    MatrixF sample_distances;                      // rows of the first samples x V
+    std::vector<geodesic::Extremity> extremities;  // most distant first
+    MatrixF extremity_distances;                   // extremities x V
+};
+
+constexpr Index min_vertices = 20;
+
+/// Throws InvalidInput for a mesh that require_valid refuses, without area, or of fewer than `min_vertices`
+/// distinct vertices.
+PreparedShape prepare(const TriangleMesh& mesh, const PreparationOptions& options,
+                      const PreparationTuning& tuning = {}, const ProgressRange& progress = {});
+
+/// The reflected shape, the same vertices.
+PreparedShape mirrored(PreparedShape shape);
+
+/// The first `count` samples as ZoomOut points.
+SpectralPoints sampled(const PreparedShape& shape, std::size_t count);
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Progress of work that runs in parallel, told to a callback that must be called from the calling thread.
+#pragma once
+
+#include <counterpart/base/progress.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <future>
+
+namespace counterpart::spectral_match {
+
+/// Written by the threads that work, read by the one that reports.
+struct WorkState {
+    std::atomic<double> fraction = 0;
+    std::atomic<bool> canceled = false;
+};
+
+/// A share [first, last] of the whole work. Copies speak of the same work; any thread may.
+class ProgressRange {
+  public:
+    ProgressRange() = default;  ///< nobody asks
+    explicit ProgressRange(WorkState& state, double first = 0, double last = 1)
+        : state_(&state), first_(first), last_(last) {}
+
+    /// The part of this range from `first` to `last`, both in [0, 1].
+    ProgressRange part(double first, double last) const {
+        ProgressRange range = *this;
+        range.first_ = first_ + first * (last_ - first_);
+        range.last_ = first_ + last * (last_ - first_);
+        return range;
+    }
+    /// Step `i` of `count` equal ones.
+    ProgressRange step(std::size_t i, std::size_t count) const {
+        return part(static_cast<double>(i) / static_cast<double>(count),
+                    static_cast<double>(i + 1) / static_cast<double>(count));
+    }
+
+    /// Throws Canceled once the caller wants to stop.
+    void check() const {
+        if (state_ != nullptr && state_->canceled) throw Canceled();
+    }
+    /// Says that `fraction` of this range is done, and checks. What is told never decreases.
+    void reach(double fraction) const {
+        check();
+        if (state_ == nullptr) return;
+        const double now = first_ + std::clamp(fraction, 0.0, 1.0) * (last_ - first_);
+        double before = state_->fraction;
+        while (before < now && !state_->fraction.compare_exchange_weak(before, now)) {
+        }
+    }
+    /// For functions that report themselves.
+    Progress callback() const {
+        if (state_ == nullptr) return {};
+        return [range = *this](double fraction) {
+            range.reach(fraction);
+            return true;
+        };
+    }
+
+  private:
+    WorkState* state_ = nullptr;
+    double first_ = 0, last_ = 1;
+};
+
+/// Returns work(range). With a callback the work runs on a thread of its own, and this one calls `progress`
+/// a few times a second with what the work has reached, and at last with 1.
+template <class Work>
+auto with_progress(const Progress& progress, const Work& work) {
+    if (!progress) return work(ProgressRange());
+    constexpr std::chrono::milliseconds interval(30);
+    WorkState state;
+    auto running = std::async(std::launch::async, [&] { return work(ProgressRange(state)); });
+    try {
+        do report_progress(progress, state.fraction);
+        while (running.wait_for(interval) != std::future_status::ready);
+    } catch (...) {
+        state.canceled = true;
+        throw;  // the future's destructor waits for the work to notice
+    }
+    auto result = running.get();
+    report_progress(progress, 1);
+    return result;
+}
+
+}  // namespace counterpart::spectral_match

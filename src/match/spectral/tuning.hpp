@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Every constant of the method, stage by stage in the order in which the stages run. Lengths are geodesic, at
+// unit surface area; times are of heat diffusion, squared lengths. docs/spectral.md says what each stage and
+// the more important constants are worth (benchmarks/ablation measures it).
+#pragma once
+
+#include <counterpart/base/types.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace counterpart::spectral_match {
+
+/// Stage 1, each shape for itself.
+struct PreparationTuning {
+    double min_component_share = 0.1;  ///< of the largest component's area; smaller components are left out
+    /// Sources of rows of geodesic distance. They measure how far two maps are apart, and the average
+    /// distance of a vertex, whose local maxima are the extremities.
+    int n_distance_samples = 150;
+    /// Diffusion times of mean curvature, fine to coarse.
+    std::array<double, 4> curvature_times{0.0005, 0.001, 0.003, 0.01};
+    int curvature_percentile = 95;  ///< magnitudes above are clamped, so that spikes do not outweigh the rest
+    /// Above this many vertices eigenfunctions are sought in a subspace of local functions, which keeps this
+    /// stage at 7 s of one core for 100 000 vertices.
+    Index large_mesh = 20000;
+    int min_local_functions = 3000, local_functions_per_eigenfunction = 10;
+    /// Of a local function, in radii of a disk that is one sample's share of the area (Magnet and
+    /// Ovsjanikov).
+    double local_radius = 3;
+};
+
+/// Stage 2a, partial matchings of extremities that keep geodesic distances.
+struct ExtremityTuning {
+    std::size_t n_matchings = 24;   ///< starts; 0 = only that from descriptors alone
+    std::size_t beam_width = 2000;  ///< partial matchings kept while the next extremity is assigned
+    std::size_t min_pairs = 3;      ///< fewer fix no map
+    double average_weight = 0.5;    ///< of a difference in average distance against one in pairwise distance
+    double skip_cost = 0.25;        ///< of an extremity without a partner, as a distance
+    double min_difference = 0.08;   ///< mean distance between the maps that two kept matchings mean
+};
+
+/// Stage 2b, shapes in similar poses laid onto each other in space.
+struct ExtrinsicTuning {
+    bool enabled = true;
+    int n_iterations = 10;  ///< of ICP from each of 24 alignments of the principal axes
+    int n_functions = 5;    ///< similar poses say little more than what the coarsest functions hold
+};
+
+/// What counts how much in a score. Round numbers, fitted by pairwise ranking of right against wrong maps:
+/// orthogonality is most informative for small bases, drift for large ones.
+struct ScoreWeights {
+    int curvature_scale;  ///< index into PreparationTuning::curvature_times
+    double orientation, orthogonality, drift, rigidity;
+    double curvature = 1;
+};
+
+/// Stage 2, candidates.
+struct CandidateTuning {
+    ExtremityTuning extremities;
+    ExtrinsicTuning extrinsic;
+    std::size_t n_samples = 300;      ///< points on which candidates are grown
+    double rigidity_radius = 0.3;     ///< of neighborhoods that should move rigidly
+    int first_size = 20;              ///< eigenfunctions of the map fitted to descriptors and extremities
+    double wave_kernel_weight = 0.2;  ///< of each column, against 1 for a heat kernel at an extremity
+    double curvature_weight = 0.3;    ///< likewise
+    std::vector<double> heat_times{0.005, 0.02, 0.06};
+    int last_size = 30, size_step = 5;  ///< eigenfunctions that candidates are grown to by ZoomOut
+    ScoreWeights score{2, 0.15, 2.5, 0, 0.7};
+    int n_flip_rounds = 2;               ///< rounds in which low columns of the best are negated; 0 = never
+    std::size_t n_flipped = 24;          ///< candidates varied per round
+    int first_flip = 5, last_flip = 17;  ///< columns, one at a time
+    double min_new_difference = 0.03;    ///< flips that begin closer than this to an earlier one are dropped
+    double min_difference = 0.05;        ///< mean distance between two candidates
+    std::size_t n_pool = 60, n_kept = 24;  ///< candidates between the rounds, and at the end
+};
+
+/// Stage 3, selection.
+struct SelectionTuning {
+    // 3a: all on more functions and samples.
+    std::size_t n_samples = 600;
+    double rigidity_radius = 0.2;
+    std::vector<int> sizes{40, 50, 60, 80};
+    ScoreWeights score{1, 0.25, 0, 10, 2};
+    std::size_t n_families = 8;    ///< kept, and the partners that the best are crossed with
+    double min_difference = 0.08;  ///< mean distance between two of them
+    // 3b: crossover.
+    std::size_t n_crossed = 3;  ///< the best that are crossed; 0 = none
+    int n_crossover_rounds = 3;
+    std::size_t n_sift_samples = 300;  ///< all children are first sifted on these
+    double sift_rigidity_radius = 0.3;
+    std::vector<int> sift_sizes{35, 40};
+    std::size_t n_children = 6;                   ///< the best of the sifted ones, grown as in 3a
+    double same_limb = 0.15;                      ///< two tips closer than this are one place
+    std::array<float, 2> limb_radii{0.3F, 0.6F};  ///< around a tip, the part that is exchanged
+    int splice_size = 30;                         ///< eigenfunctions of a child's first functional map
+    double min_child_difference = 0.01;  ///< between a child and its parent, and between two children
+    // 3c: the finalists on all samples.
+    double final_rigidity_radius = 0.15;
+    std::vector<int> final_sizes{95, 110, 130, 150};
+    int final_scored_size = 100;  ///< functions that scores are taken on
+    bool final_masked = true;     ///< damp entries between far frequencies (Hu et al. 2021)
+    ScoreWeights final_score{0, 0.25, 0, 10, 2};
+    std::size_t n_finalists = 5;
+    double min_final_difference = 0.05;
+};
+
+/// Stage 5, refinement on all vertices. Weights are relative to the spectral coordinates. The rounds go from
+/// few functions and stiff surfaces to many functions and pliable ones.
+struct RefinementTuning {
+    int first_match_size = 80;             ///< eigenfunctions of the maps that the first round starts from
+    int first_size = 30, last_size = 200;  ///< eigenfunctions of the first and last round
+    bool masked = true;
+    float feature_weight = 5;     ///< of curvature and wave kernel, each of variance 1
+    int n_wave_kernel = 8;        ///< of the 40 columns, evenly spaced
+    float position_weight = 200;  ///< of positions after an elastic fit of either surface to its images
+    float normal_weight = 14;     ///< of the normals there
+    double first_length = 0.3, last_length = 0.06;  ///< the fits keep shapes below this size
+    double min_scale = 0.3, max_scale = 3;  ///< of a neighborhood in the fits, so that nothing vanishes
+    int n_iterations = 16;                  ///< of an elastic fit
+    int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
+    int n_rounds = 8;                ///< 0 = spectral coordinates and features alone
+    Index huge_mesh = 60000;         ///< above this many vertices there are fewer rounds
+    int n_rounds_if_huge = 2;
+};
+
+/// Stage 4, trial refinement of finalists whose scores are close.
+struct TrialTuning {
+    std::size_t n_tried = 3;       ///< at most; 1 = no trial
+    double close_score = 0.05;     ///< behind the best, to be tried
+    double moved = 0.2;            ///< a sample whose images are farther apart than this has moved
+    double max_moved_share = 0.5;  ///< maps that move more than this of the samples are not tried
+    double strain_weight = 0.2;    ///< of the logarithm of the strain, taken off the score
+    double min_strain = 1e-4;      ///< smaller strains count as this
+    RefinementTuning refinement{
+        .last_size = 80, .last_length = 0.1, .n_iterations = 8, .n_rounds = 3, .n_rounds_if_huge = 1};
+};
+
+/// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
+struct ConfidenceTuning {
+    double half_score = 0.3;       ///< at which a map is trusted by half: right maps of people score 0.8 to
+                                   ///< 1.2, wrong ones of unlike animals below 0.3
+    double score_width = 0.1;      ///< of the logistic curve around it
+    double temperature = 0.03;     ///< difference of scores at which a runner-up counts 1 / e
+    double same_place = 0.15;      ///< images closer than this agree
+    double doubt_length = 0.08;    ///< of a round trip plus tear, at which confidence falls to 1 / e
+    double poor_score = 0.2;       ///< below it a warning
+    double close_margin = 0.05;    ///< between the two best scores, below it a warning
+    double min_mirror_gain = 0.1;  ///< the mirror image of an inside-out mesh must score better by this
+    double moved = 0.2;            ///< a sample whose images are farther apart than this has moved
+    double limb_share = 0.02,
+           turn_share = 0.6;      ///< of samples moved: below, a shift; above, another limb, a turn
+    Index many_components = 100;  ///< from here on the mesh is called disconnected fragments
+    double sphere_ratio = 1.03;   ///< of the third to the first eigenvalue, below it a shape is sphere-like
+};
+
+struct SpectralTuning {
+    PreparationTuning preparation;
+    CandidateTuning candidates;
+    SelectionTuning selection;
+    TrialTuning trial;
+    RefinementTuning refinement;
+    ConfidenceTuning confidence;
+};
+
+}  // namespace counterpart::spectral_match

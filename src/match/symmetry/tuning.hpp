@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Every constant of the exact method, with what it does to results.
+#pragma once
+
+#include <cstddef>
+
+namespace counterpart::symmetry {
+
+struct ExactTuning {
+    // ---- isomorphism ----
+    /// Steps per triangle that failing traversals may take before colors are refined further.
+    std::size_t wasted_steps_per_triangle = 10;
+
+    // ---- symmetry ----
+    /// Relative difference below which two squared errors tie.
+    double tie = 0.01;
+    /// Edge lengths, in mean edge lengths, that are rounding.
+    double rounding = 1e-5;
+    /// Triangles on which every automorphism is compared, and how many darts all of them may have together.
+    std::size_t min_sample = 8, max_sample = 256, max_sampled_darts = std::size_t{1} << 24U;
+    /// Automorphisms that are compared on the whole component, or this many of its triangles.
+    std::size_t n_finalists = 32, max_final_triangles = 100'000;
+    /// Triangles of a component that fix where it lies.
+    std::size_t anchor_triangles = 200;
+    /// Pairs of points that the alignment near a component is fitted to.
+    std::size_t max_anchors = 1024;
+    /// Components of one class that are assigned optimally, O(n^3); beyond, the closest first.
+    std::size_t max_optimal = 400;
+    /// Partners that the closest-first assignment looks at.
+    int n_nearest = 16;
+    /// Initial alignments where nothing is unambiguous: looked at, tried, and rounds of each.
+    std::size_t max_initial = 4096, max_tried = 12;
+    int max_rounds = 3;
+    /// Components on which an initial alignment is judged.
+    std::size_t alignment_sample = 32;
+
+    // ---- non-manifold meshes ----
+    /// Isomorphisms that are compared, and triangles of them that may be measured together.
+    std::size_t max_isomorphisms = 1000, max_measured_triangles = 20'000'000;
+    /// Steps of the search: per triangle of the mesh, and in all meshes.
+    std::size_t search_steps_per_triangle = 100, min_search_steps = 1'000'000;
+    /// Triangles of all written-out automorphisms of one component.
+    std::size_t max_written_out = std::size_t{1} << 22U;
+};
+inline constexpr ExactTuning exact_tuning;
+
+}  // namespace counterpart::symmetry

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What a reader accepts must be valid, and come back the same when it is written and read again.
+#include "fuzz/require.hpp"
+#include "fuzz/targets.hpp"
+#include "io/corner_rows.hpp"
+#include "io/formats.hpp"
+#include "io/gltf_primitives.hpp"
+#include "io/gltf_store.hpp"
+#include "io/map_bytes.hpp"
+#include "io/npy_bytes.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/transfer/transfer.hpp>
+
+#include <array>
+
+namespace counterpart::fuzz {
+namespace {
+
+using namespace io;
+
+const std::string name = "fuzzed";
+
+bool same(const TriangleMesh& a, const TriangleMesh& b) {
+    return a.vertices == b.vertices && a.triangles == b.triangles;
+}
+
+// Whether the mesh may be used: read_mesh asks this of every reader's.
+bool is_valid(const TriangleMesh& mesh) {
+    try {
+        require_valid(mesh);
+        return true;
+    } catch (const InvalidInput&) {
+        return false;
+    }
+}
+
+void read_off_bytes(std::string_view bytes) {
+    const TriangleMesh mesh = read_off(bytes, name).mesh;
+    if (is_valid(mesh)) require(same(mesh, read_off(off_bytes(mesh), name).mesh));
+}
+
+// With attributes and without.
+void require_attributed(const AttributedMesh& content, const TriangleMesh& plain,
+                        const AttributedMesh& again) {
+    require(same(content.mesh, plain));
+    require(same(content.mesh, again.mesh));
+    gltf_bytes(content, true);
+}
+
+void read_obj_bytes(std::string_view bytes) {
+    const TriangleMesh plain = read_obj(bytes, name).mesh;
+    if (!is_valid(plain)) return;
+    require(same(plain, read_obj(obj_bytes(plain), name).mesh));
+    const AttributedMesh content = read_attributed_obj(bytes, name).content;
+    require_consistent(content);
+    require_attributed(content, plain, read_attributed_obj(obj_bytes(content), name).content);
+}
+
+void read_ply_bytes(std::string_view bytes) {
+    const TriangleMesh plain = read_ply(bytes, name).mesh;
+    if (!is_valid(plain)) return;
+    require(same(plain, read_ply(ply_bytes(plain), name).mesh));
+    const AttributedMesh content = read_attributed_ply(bytes, name).content;
+    require_consistent(content);
+    require_attributed(content, plain, read_attributed_ply(ply_bytes(content), name).content);
+}
+
+void read_stl_bytes(std::string_view bytes) {
+    const TriangleMesh mesh = read_stl(bytes, name).mesh;
+    if (is_valid(mesh)) read_stl(stl_bytes(mesh), name);
+}
+
+GltfFile read_gltf_bytes(std::string_view bytes) {
+    // No folder of this name: what the bytes name beside themselves is never there.
+    return surface_of(std::make_shared<const GltfContent>(parse_gltf(bytes, "/absent/fuzzed.gltf")));
+}
+
+void read_and_write_gltf(std::string_view bytes) {
+    const AttributedMesh content = read_gltf_bytes(bytes).content;
+    require_valid(content.mesh);
+    std::vector<Index> parts(static_cast<std::size_t>(content.mesh.n_triangles()), 0);
+    if (!content.parts.empty()) parts.assign(content.parts.rbegin(), content.parts.rend());
+    for (const AttributedMesh& written : {content, with_materials(content, content, parts)}) {
+        const AttributedMesh again = read_gltf_bytes(gltf_bytes(written, parts.size() % 2 == 0)).content;
+        require(again.mesh.n_triangles() == content.mesh.n_triangles());
+    }
+}
+
+// The first byte chooses the kind of map and of file.
+void read_map_bytes(std::string_view bytes) {
+    if (bytes.empty()) return;
+    const char* file = (bytes[0] & 1) != 0 ? "fuzzed.npy" : "fuzzed.txt";
+    const IndexBase base = (bytes[0] & 2) != 0 ? IndexBase::one : IndexBase::zero;
+    const VertexMap map = parse_vertex_map(bytes.substr(1), file, base);
+    for (const Index image : map.image()) require(image >= -1 && image < map.target_size());
+}
+
+void read_surface_map_bytes(std::string_view bytes) {
+    if (bytes.empty()) return;
+    const auto map = parse_map(bytes.substr(1), (bytes[0] & 1) != 0 ? "fuzzed.npy" : "fuzzed.txt");
+    if (const auto* points = std::get_if<SurfaceMap>(&map))
+        require_valid(*points, points->source_size(), points->target_triangles);
+}
+
+void read_npy_bytes(std::string_view bytes) {
+    const Matrix matrix = parse_npy(bytes, name);
+    if (matrix.cols() == 1 && matrix.size() > 0) parse_npy_indices(bytes, name);
+}
+
+template <void (*read)(std::string_view)>
+void read_or_refused(std::string_view bytes) {
+    try {
+        read(bytes);
+    } catch (const IoError&) {
+    } catch (const InvalidInput&) {
+    } catch (const GltfJson::exception&) {  // what write_gltf turns into an IoError
+    }
+}
+
+constexpr std::array<Target, 8> readers = {{{"off", read_or_refused<read_off_bytes>},
+                                            {"obj", read_or_refused<read_obj_bytes>},
+                                            {"ply", read_or_refused<read_ply_bytes>},
+                                            {"stl", read_or_refused<read_stl_bytes>},
+                                            {"gltf", read_or_refused<read_and_write_gltf>},
+                                            {"npy", read_or_refused<read_npy_bytes>},
+                                            {"map", read_or_refused<read_map_bytes>},
+                                            {"surface_map", read_or_refused<read_surface_map_bytes>}}};
+
+}  // namespace
+
+std::span<const Target> reader_targets() { return readers; }
+
+}  // namespace counterpart::fuzz

@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/disguise.hpp"
+#include "support/edits.hpp"
+#include "support/expect_error.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/assignment.hpp>
+#include <counterpart/match/match.hpp>
+#include <counterpart/match/nearest.hpp>
+#include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+// Spectral is quick with these.
+MatchOptions quick(MatchMethod method = MatchMethod::automatic) {
+    MatchOptions options;
+    options.method = method;
+    options.spectral_shape = {.basis_size = 60, .n_samples = 200};
+    return options;
+}
+
+// In another pose, renumbered.
+test::DisguisedMesh disguised(const TriangleMesh& mesh) {
+    return test::shuffled(test::moved(deform(mesh, {.bend = 0.5, .twist = 0.3}), 4), 9);
+}
+
+void expect_part(const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text << "\n  does not contain: " << part;
+}
+
+Index count_unmatched(const VertexMap& map) { return map.source_size() - count_matched(map); }
+
+TEST(Match, SameConnectivityIsExact) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const test::DisguisedMesh target = disguised(source);
+    const MatchResult result = match(source, target.mesh);
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_EQ(result.confidence, Vector::Ones(source.n_vertices()));
+    EXPECT_EQ(result.reason, "the meshes have the same connectivity");
+    EXPECT_EQ(result.n_filled, 0);
+    ASSERT_TRUE(result.exact.has_value());
+    EXPECT_TRUE(result.exact->identical);
+    EXPECT_FALSE(result.differences.has_value());
+    EXPECT_FALSE(result.spectral.has_value());
+    ASSERT_FALSE(result.stages.empty());
+    EXPECT_EQ(result.stages[0].stage, "exact");
+}
+
+TEST(Match, AFlippedEdgeLeavesTheRestExact) {
+    const TriangleMesh source = make_body({.subdivisions = 2});
+    const test::DisguisedMesh target = disguised(test::with_flipped_edges(source, 1, 21).mesh);
+    const MatchResult result = match(source, target.mesh);
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    expect_part(result.reason, "nearly the same connectivity");
+    ASSERT_TRUE(result.exact.has_value());
+    EXPECT_FALSE(result.exact->identical);
+    ASSERT_TRUE(result.differences.has_value());
+    expect_part(result.reason, result.differences->summary);
+    EXPECT_EQ(result.n_filled, count_unmatched(result.differences->target_from_source));
+    EXPECT_EQ((result.confidence.array() == 0).count(), result.n_filled);
+    EXPECT_GT((result.confidence.array() == 1).count(), 0.99 * source.n_vertices());
+    EXPECT_FALSE(result.spectral.has_value());
+}
+
+TEST(Match, ARemovedVertexFollowsThoseAroundIt) {
+    const TriangleMesh source = make_body({.subdivisions = 2});
+    const test::EditedMesh edited = test::without_vertex(source, 3);
+    const test::DisguisedMesh target = disguised(edited.mesh);
+    const MatchResult result = match(source, target.mesh);
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    expect_part(result.reason, "nearly the same connectivity");
+    EXPECT_EQ(count_unmatched(result.target_from_source), 0);
+    ASSERT_TRUE(result.differences.has_value());
+    EXPECT_EQ(result.n_filled, count_unmatched(result.differences->target_from_source));
+    EXPECT_GE(result.n_filled, 1);
+
+    Index removed = -1, right = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        const Index now = edited.edited_from_original[static_cast<std::size_t>(v)];
+        if (now < 0) {
+            removed = v;
+            continue;
+        }
+        const bool is_right = result.target_from_source[v] == target.mesh_from_original[now];
+        right += is_right ? 1 : 0;
+        EXPECT_TRUE(is_right || result.confidence[v] < 1) << "vertex " << v << " is wrong";
+    }
+    EXPECT_GE(right, 0.999 * (source.n_vertices() - 1));
+    ASSERT_GE(removed, 0);
+    EXPECT_EQ(result.confidence[removed], 0);
+    std::set<Index> images_of_ring;
+    for (const Index t : edited.changed) {
+        for (int c = 0; c < 3; ++c) {
+            const Index now = edited.edited_from_original[static_cast<std::size_t>(source.triangles(t, c))];
+            if (now >= 0) images_of_ring.insert(target.mesh_from_original[now]);
+        }
+    }
+    EXPECT_TRUE(images_of_ring.contains(result.target_from_source[removed]));
+    EXPECT_EQ((result.confidence.array() == 0).count(), result.n_filled);
+}
+
+TEST(Match, WhereTheVertexIsTheTargetsNothingIsFilled) {
+    const TriangleMesh target = make_body({.subdivisions = 2});
+    const test::EditedMesh edited = test::without_vertex(target, 3);
+    const MatchResult result = match(edited.mesh, target);
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    EXPECT_EQ(count_unmatched(result.target_from_source), 0);
+    for (Index v = 0; v < target.n_vertices(); ++v) {
+        const Index now = edited.edited_from_original[static_cast<std::size_t>(v)];
+        if (now >= 0) {
+            EXPECT_EQ(result.target_from_source[now], v);
+        }
+    }
+}
+
+TEST(Match, MinSharedDecidesWhatIsNearlyTheSame) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const test::DisguisedMesh target = disguised(test::without_vertex(source, 3).mesh);
+    MatchOptions options = quick();
+    options.min_shared = 1;  // one vertex of the source has no partner
+    const MatchResult result = match(source, target.mesh, options);
+    EXPECT_EQ(result.method, MatchMethod::spectral);
+    expect_part(result.reason, "the connectivity differs: ");
+    EXPECT_TRUE(result.differences.has_value());
+    EXPECT_EQ(result.n_filled, 0);
+}
+
+TEST(Match, UnrelatedMeshesAreSpectral) {
+    const TriangleMesh source = make_torus(40, 20), target = make_body({.subdivisions = 1});
+    const MatchResult result = match(source, target, quick());
+    EXPECT_EQ(result.method, MatchMethod::spectral);
+    ASSERT_TRUE(result.exact.has_value());
+    EXPECT_FALSE(result.exact->identical);
+    EXPECT_EQ(result.reason, "the connectivity differs: " + result.exact->difference);
+    EXPECT_EQ(count_unmatched(result.target_from_source), 0);
+    ASSERT_TRUE(result.spectral.has_value());
+    EXPECT_EQ(result.target_from_source, result.spectral->target_from_source);
+    EXPECT_EQ(result.confidence, result.spectral->confidence);
+    EXPECT_EQ(result.warnings, result.spectral->warnings);
+    EXPECT_FALSE(result.warnings.empty());
+}
+
+// Too few vertices for spectral.
+TEST(Match, TinyMeshesAreMatchedByPlace) {
+    TriangleMesh source = make_icosphere(0);  // 12 vertices
+    source.vertices *= Eigen::Vector3d(3, 2, 1).asDiagonal();
+    const TriangleMesh target = test::moved(subdivide(source), 6);
+    const MatchResult result = match(source, target);
+    EXPECT_EQ(result.method, MatchMethod::nearest);
+    expect_part(result.reason, "the connectivity differs: ");
+    expect_part(result.reason, "at least 20 vertices");
+    ASSERT_FALSE(result.warnings.empty());
+    expect_part(result.warnings[0], "position alone");
+    EXPECT_EQ(result.confidence, Vector::Zero(12));
+    EXPECT_FALSE(result.spectral.has_value());
+    // The ellipsoid fits in four ways; each takes vertices to vertices and keeps their distances.
+    ASSERT_EQ(count_unmatched(result.target_from_source), 0);
+    const double scale = std::sqrt(surface_area(target) / surface_area(source));
+    for (Index v = 0; v < 12; ++v) {
+        EXPECT_LT(result.target_from_source[v], 12);
+        for (Index w = 0; w < v; ++w) {
+            const double length = (source.vertices.row(v) - source.vertices.row(w)).norm();
+            const double found = (target.vertices.row(result.target_from_source[v]) -
+                                  target.vertices.row(result.target_from_source[w]))
+                                     .norm();
+            EXPECT_NEAR(found, scale * length, 1e-9);
+        }
+    }
+}
+
+TEST(Match, MeshesWithoutAreaAreMatchedByPlace) {
+    TriangleMesh line = make_grid(5, 5);
+    line.vertices.rightCols(2).setZero();
+    const TriangleMesh target = make_icosphere(1);
+    const MatchResult result = match(line, target);
+    EXPECT_EQ(result.method, MatchMethod::nearest);
+    expect_part(result.reason, "no area");
+    EXPECT_FALSE(result.warnings.empty());
+    EXPECT_EQ(count_unmatched(result.target_from_source), 0);
+}
+
+TEST(Match, TheMirroredMapSkipsExact) {
+    const TriangleMesh source = make_body({.subdivisions = 1, .symmetric = true});
+    const test::DisguisedMesh target = test::shuffled(source, 9);
+    EXPECT_EQ(match(source, target.mesh).method, MatchMethod::exact);
+    MatchOptions options = quick();
+    options.spectral.symmetric = true;
+    const MatchResult result = match(source, target.mesh, options);
+    EXPECT_EQ(result.method, MatchMethod::spectral);
+    EXPECT_EQ(result.reason, "the mirrored map was asked for");
+    EXPECT_FALSE(result.exact.has_value());
+    EXPECT_FALSE(result.differences.has_value());
+    Index off_middle = 0, on_other_side = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        const double x = source.vertices(v, 0);
+        if (std::abs(x) < 0.1) continue;
+        ++off_middle;
+        on_other_side += x * target.mesh.vertices(result.target_from_source[v], 0) < 0 ? 1 : 0;
+    }
+    ASSERT_GT(off_middle, 100);
+    EXPECT_GT(on_other_side, 0.95 * off_middle);
+}
+
+TEST(Match, LandmarksSkipExact) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const test::DisguisedMesh target = disguised(source);
+    MatchOptions options = quick();
+    for (const Index v : {0, 100, 300, 600, 900})
+        options.spectral.landmarks.emplace_back(v, target.mesh_from_original[v]);
+    const MatchResult result = match(source, target.mesh, options);
+    EXPECT_EQ(result.method, MatchMethod::spectral);
+    EXPECT_EQ(result.reason, "landmarks are given");
+    EXPECT_FALSE(result.exact.has_value());
+}
+
+TEST(Match, EachMethodByName) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const test::DisguisedMesh target = test::shuffled(source, 9);  // in place: all find the truth
+    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::spectral,
+                                     MatchMethod::nearest, MatchMethod::assignment}) {
+        SCOPED_TRACE(to_string(method));
+        const MatchOptions options = quick(method);
+        const MatchResult result = match(source, target.mesh, options);
+        EXPECT_EQ(result.method, method);
+        EXPECT_EQ(result.reason, "");
+        EXPECT_EQ(result.n_filled, 0);
+        EXPECT_FALSE(result.differences.has_value());
+        EXPECT_EQ(result.exact.has_value(), method == MatchMethod::exact);
+        EXPECT_EQ(result.frontiers.has_value(), method == MatchMethod::frontiers);
+        EXPECT_EQ(result.spectral.has_value(), method == MatchMethod::spectral);
+        ASSERT_EQ(result.stages.size(), 1U);
+        EXPECT_EQ(result.stages[0].stage, to_string(method));
+        ASSERT_EQ(result.confidence.size(), source.n_vertices());
+        if (method == MatchMethod::spectral) {
+            EXPECT_EQ(result.target_from_source,
+                      match_spectral(source, target.mesh, {}, options.spectral_shape).target_from_source);
+            EXPECT_EQ(result.confidence, result.spectral->confidence);
+        } else {
+            EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+        }
+        if (method == MatchMethod::exact || method == MatchMethod::frontiers) {
+            EXPECT_EQ(result.confidence, Vector::Ones(source.n_vertices()));
+        }
+        if (method == MatchMethod::nearest || method == MatchMethod::assignment) {
+            EXPECT_EQ(result.confidence, Vector::Zero(source.n_vertices()));
+        }
+    }
+}
+
+TEST(Match, NamesAreThoseOfTheMethods) {
+    EXPECT_EQ(to_string(MatchMethod::automatic), "automatic");
+    EXPECT_EQ(to_string(MatchMethod::exact), "exact");
+    EXPECT_EQ(to_string(MatchMethod::frontiers), "frontiers");
+    EXPECT_EQ(to_string(MatchMethod::spectral), "spectral");
+    EXPECT_EQ(to_string(MatchMethod::nearest), "nearest");
+    EXPECT_EQ(to_string(MatchMethod::assignment), "assignment");
+}
+
+TEST(Match, ExactByNameLeavesWhatDiffersUnmatched) {
+    const TriangleMesh source = make_body({.subdivisions = 2});
+    const test::DisguisedMesh target = disguised(test::without_vertex(source, 3).mesh);
+    const MatchResult result = match(source, target.mesh, quick(MatchMethod::exact));
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    ASSERT_TRUE(result.differences.has_value());
+    EXPECT_EQ(result.target_from_source, result.differences->target_from_source);
+    EXPECT_GE(count_unmatched(result.target_from_source), 1);
+    EXPECT_EQ(result.n_filled, 0);
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        EXPECT_EQ(result.confidence[v] == 0, result.target_from_source[v] == VertexMap::unmatched) << v;
+}
+
+TEST(Match, AMethodByNameThrowsWhatItThrowsItself) {
+    const TriangleMesh small = make_icosphere(0), other = make_icosphere(1);
+    test::expect_error<InvalidInput>([&] { match(small, other, quick(MatchMethod::spectral)); },
+                                     "at least 20 vertices");
+    EXPECT_THROW(match(small, other, quick(MatchMethod::frontiers)), InvalidInput);
+}
+
+TEST(Match, RefusesInvalidMeshesAndOptionsOutOfRange) {
+    const TriangleMesh mesh = make_icosphere(2);
+    EXPECT_THROW(match({}, mesh), InvalidInput);
+    EXPECT_THROW(match(mesh, {}), InvalidInput);
+    for (const double min_shared : {0.49, 1.01, std::numeric_limits<double>::quiet_NaN()}) {
+        MatchOptions options;
+        options.min_shared = min_shared;
+        test::expect_error<InvalidInput>([&] { match(mesh, mesh, options); }, "min_shared");
+    }
+    for (const double min_shared : {0.5, 1.0}) {
+        MatchOptions options;
+        options.min_shared = min_shared;
+        EXPECT_NO_THROW(match(mesh, mesh, options));
+    }
+    MatchOptions options;
+    options.n_threads = -1;
+    test::expect_error<InvalidInput>([&] { match(mesh, mesh, options); }, "n_threads");
+    options = quick(MatchMethod::spectral);
+    options.spectral.n_alternatives = -1;
+    EXPECT_THROW(match(mesh, mesh, options), InvalidInput);
+    options = quick(MatchMethod::spectral);
+    options.spectral_shape.basis_size = 10;
+    EXPECT_THROW(match(mesh, mesh, options), InvalidInput);
+    options = quick();
+    options.spectral.landmarks = {{0, 0}, {1, 1}, {2, 9999}};  // not UnsuitableMesh: no other method is tried
+    EXPECT_THROW(match(mesh, mesh, options), InvalidInput);
+}
+
+struct Pair {
+    const char* name;
+    TriangleMesh source, target;
+};
+// One that ends at each of the ways of automatic.
+std::vector<Pair> pairs_for_each_way() {
+    const TriangleMesh body = make_body({.subdivisions = 1});
+    return {{"same", body, test::shuffled(body, 1).mesh},
+            {"nearly the same", body, test::shuffled(test::without_vertex(body, 3).mesh, 1).mesh},
+            {"unrelated", make_torus(40, 20), body},
+            {"tiny", make_icosphere(0), make_icosphere(1)}};
+}
+
+TEST(Match, ProgressNeverDecreasesAndEndsAtOne) {
+    for (const Pair& pair : pairs_for_each_way()) {
+        SCOPED_TRACE(pair.name);
+        std::vector<double> fractions;
+        MatchOptions options = quick();
+        options.progress = [&](double fraction) {
+            fractions.push_back(fraction);
+            return true;
+        };
+        const MatchResult reporting = match(pair.source, pair.target, options);
+        ASSERT_FALSE(fractions.empty());
+        EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+        EXPECT_GE(fractions.front(), 0);
+        EXPECT_EQ(fractions.back(), 1);
+        EXPECT_EQ(reporting.target_from_source, match(pair.source, pair.target, quick()).target_from_source);
+    }
+}
+
+TEST(Match, CanBeStopped) {
+    for (const Pair& pair : pairs_for_each_way()) {
+        for (const double limit : {0.0, 0.03, 0.5, 1.0}) {
+            MatchOptions options = quick();
+            options.progress = [&](double fraction) { return fraction < limit; };
+            EXPECT_THROW(match(pair.source, pair.target, options), Canceled) << pair.name << " " << limit;
+        }
+    }
+    const TriangleMesh body = make_body({.subdivisions = 1});
+    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::spectral,
+                                     MatchMethod::nearest, MatchMethod::assignment}) {
+        MatchOptions options = quick(method);
+        options.progress = [](double) { return false; };
+        EXPECT_THROW(match(body, body, options), Canceled) << to_string(method);
+    }
+}
+
+TEST(Match, SameForAnyNumberOfThreads) {
+    for (const Pair& pair : pairs_for_each_way()) {
+        SCOPED_TRACE(pair.name);
+        MatchOptions options = quick();
+        options.n_threads = 1;
+        const MatchResult one = match(pair.source, pair.target, options);
+        options.n_threads = 2;
+        const MatchResult two = match(pair.source, pair.target, options);
+        EXPECT_EQ(one.method, two.method);
+        EXPECT_EQ(one.reason, two.reason);
+        EXPECT_EQ(one.target_from_source, two.target_from_source);
+        EXPECT_EQ(one.confidence, two.confidence);
+    }
+}
+
+}  // namespace
+}  // namespace counterpart

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/selection.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// A sphere with spikes along +x, -x, +y and +z.
+PreparedShape spiky() {
+    TriangleMesh mesh = make_icosphere(4);
+    const Eigen::RowVector3d tips[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        double radius = 1;
+        for (const auto& tip : tips) radius += 2 * std::exp(-10 * (1 - mesh.vertices.row(v).dot(tip)));
+        mesh.vertices.row(v) *= radius;
+    }
+    return prepare(mesh, {.n_functions = 40, .n_samples = 300});
+}
+
+Candidate candidate(const std::vector<Index>& map) {
+    Candidate result;
+    result.maps = {map, map};
+    return result;
+}
+
+TEST(SpectralCrossover, TakesTwoLimbsFromTheOtherMapAndTheRestFromTheBase) {
+    const PreparedShape shape = spiky();
+    const SampledPair pair(shape, shape, 300, 0.3);
+    ASSERT_EQ(shape.extremities.size(), 4U);
+    std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size()));
+    std::iota(identity.begin(), identity.end(), 0);
+    // The reflection in x = 0 exchanges two spikes and moves much of the rest.
+    std::vector<Index> reflection;
+    for (const Index s : identity) {
+        const Eigen::RowVector3f mirror = pair.positions_a.row(s).cwiseProduct(Eigen::RowVector3f(-1, 1, 1));
+        Eigen::Index nearest = 0;
+        (pair.positions_a.rowwise() - mirror).rowwise().squaredNorm().minCoeff(&nearest);
+        reflection.push_back(static_cast<Index>(nearest));
+    }
+    const std::vector<Candidate> children = crossovers(pair, candidate(identity), candidate(reflection), {});
+    bool found = false;
+    for (const Candidate& child : children) {
+        bool exchanges = true, keeps = true;
+        for (const Index s : identity) {
+            const Index image = child.maps.b_from_a[static_cast<std::size_t>(s)];
+            EXPECT_TRUE(image == s || image == reflection[static_cast<std::size_t>(s)]);
+            const float x = pair.positions_a(s, 0), y = pair.positions_a(s, 1), z = pair.positions_a(s, 2);
+            const float largest = pair.positions_a.cwiseAbs().maxCoeff();
+            if (std::abs(x) > 0.9F * largest) exchanges &= image == reflection[static_cast<std::size_t>(s)];
+            if (y > 0.9F * largest || z > 0.9F * largest) keeps &= image == s;
+        }
+        found |= exchanges && keeps;
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST(SpectralCrossover, OfEqualMapsIsNothing) {
+    const PreparedShape shape = spiky();
+    const SampledPair pair(shape, shape, 300, 0.3);
+    std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size()));
+    std::iota(identity.begin(), identity.end(), 0);
+    EXPECT_TRUE(crossovers(pair, candidate(identity), candidate(identity), {}).empty());
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match

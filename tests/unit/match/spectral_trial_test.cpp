@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/trial.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// A sphere with spikes of other lengths along +x and -x, and one along +y.
+TriangleMesh spiky() {
+    TriangleMesh mesh = make_icosphere(4);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        const auto p = mesh.vertices.row(v);
+        const double radius = 1 + 2 * std::exp(-10 * (1 - p[0])) + 1.2 * std::exp(-10 * (1 + p[0])) +
+                              2 * std::exp(-10 * (1 - p[1]));
+        mesh.vertices.row(v) *= radius;
+    }
+    return mesh;
+}
+
+struct SpectralTrial : testing::Test {
+    const PreparedShape shape = prepare(spiky(), {.n_functions = 100, .n_samples = 300});
+    const SampledPair pair{shape, shape, 300, 0};
+    Candidate right, wrong;  // where x is large, `wrong` goes to the sample nearest to the mirrored place
+
+    SpectralTrial() {
+        std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size())), exchanged;
+        std::iota(identity.begin(), identity.end(), 0);
+        const float far = 0.5F * pair.positions_a.col(0).cwiseAbs().maxCoeff();
+        for (const Index s : identity) {
+            Eigen::Index nearest = s;
+            if (std::abs(pair.positions_a(s, 0)) > far)
+                (pair.positions_a.rowwise() -
+                 pair.positions_a.row(s).cwiseProduct(Eigen::RowVector3f(-1, 1, 1)))
+                    .rowwise()
+                    .squaredNorm()
+                    .minCoeff(&nearest);
+            exchanged.push_back(static_cast<Index>(nearest));
+        }
+        right.maps = {identity, identity};
+        wrong.maps = {exchanged, exchanged};
+        right.scores.total = 0.98;
+        wrong.scores.total = 1;
+    }
+};
+
+TEST_F(SpectralTrial, AWrongLimbStrainsTheSurfacesAndLoses) {
+    std::vector<Candidate> finalists{wrong, right};
+    run_trials(finalists, pair, {});
+    EXPECT_EQ(finalists.front().maps.b_from_a, right.maps.b_from_a);
+    EXPECT_EQ(finalists.front().scores.total, 0.98);
+    EXPECT_LT(finalists.back().scores.total, 0.98);
+}
+
+TEST_F(SpectralTrial, ScoresFarApartAreLeftAlone) {
+    right.scores.total = 0.9;
+    std::vector<Candidate> finalists{wrong, right};
+    run_trials(finalists, pair, {});
+    EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
+    EXPECT_EQ(finalists.back().scores.total, 0.9);
+}
+
+TEST_F(SpectralTrial, MapsThatDifferAsAWholeAreLeftAlone) {
+    std::vector<Candidate> finalists{wrong, right};
+    run_trials(finalists, pair, {.max_moved_share = 0.01});
+    EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
