@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
-#include "match/partial/edits.hpp"
-#include "match/partial/growth.hpp"
-#include "match/partial/regrowth.hpp"
-#include "match/partial/triangle_pairs.hpp"
-#include "match/partial/verification.hpp"
+#include "match/common_part/edits.hpp"
+#include "match/common_part/growth.hpp"
+#include "match/common_part/regrowth.hpp"
+#include "match/common_part/triangle_pairs.hpp"
+#include "match/common_part/verification.hpp"
 #include "match/symmetry/choice.hpp"
 
 #include <counterpart/match/differences.hpp>
@@ -18,7 +18,7 @@ namespace counterpart {
 namespace {
 
 using namespace isomorphism;
-using partial::DartPair;
+using common_part::DartPair;
 
 // Components that both meshes have whole: geometry says which of several equal ones is missing.
 std::vector<DartPair> match_equal_components(const TriangleMesh& source, const TriangleMesh& target,
@@ -47,9 +47,9 @@ SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& targ
                             const DartMap& b, const Progress& progress) {
     const std::vector<DartPair> equal = match_equal_components(source, target, a, b);
     report_progress(progress, 0.2);
-    const partial::PairSide source_side(source, a), target_side(target, b);
-    const partial::PartialMatch match =
-        partial::grow_from_seeds(source_side, target_side, equal, [&] { report_progress(progress, 0.3); });
+    const common_part::PairSide source_side(source, a), target_side(target, b);
+    const common_part::PartialMatch match = common_part::grow_from_seeds(
+        source_side, target_side, equal, [&] { report_progress(progress, 0.3); });
     report_progress(progress, 0.6);
 
     std::vector<Index> map(to_size(source.n_vertices()), VertexMap::unmatched);
@@ -58,12 +58,12 @@ SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& targ
     std::vector<bool> known(to_size(source.n_triangles()), false);
     for (const auto& [d, e] : equal) known[to_size(a.input_triangle[to_size(triangle_of(d))])] = true;
 
-    partial::Prediction prediction(source, target, match.reversed);
-    const std::vector<Index> partner = partial::match_triangles(source, target, map);
-    map = partial::without_misplaced(a, source, target, map, partner, known, prediction);
+    common_part::Prediction prediction(source, target, match.reversed);
+    const std::vector<Index> partner = common_part::match_triangles(source, target, map);
+    map = common_part::without_misplaced(a, source, target, map, partner, known, prediction);
     report_progress(progress, 0.7);
-    map = partial::regrown(source_side, target_side, std::move(map), prediction,
-                           [&] { report_progress(progress, 0.8); });
+    map = common_part::regrown(source_side, target_side, std::move(map), prediction,
+                               [&] { report_progress(progress, 0.8); });
     return {std::move(map), match.reversed, match.ambiguous};
 }
 
@@ -132,15 +132,15 @@ MeshDifferences find(const TriangleMesh& source, const TriangleMesh& target, con
     differences.is_ambiguous = shared.ambiguous;
     differences.target_from_source = VertexMap(std::move(shared.image), target.n_vertices());
     const std::vector<Index> partner =
-        partial::match_triangles(source, target, differences.target_from_source.image());
+        common_part::match_triangles(source, target, differences.target_from_source.image());
     differences.uncertain =
         shared.ambiguous
             ? matched_vertices(differences.target_from_source)
-            : partial::weakly_supported(source, target, partner, differences.target_from_source.image());
+            : common_part::weakly_supported(source, target, partner, differences.target_from_source.image());
     list_unmatched(source, target, partner, differences);
-    const auto regions = partial::matched_regions(a, partner);
+    const auto regions = common_part::matched_regions(a, partner);
     if (!regions.empty()) differences.largest_region = static_cast<Index>(regions[0].size());
-    differences.edits = partial::find_edits(source, target, differences);
+    differences.edits = common_part::find_edits(source, target, differences);
     differences.summary = summarize(source, target, differences);
     report_progress(progress, 1);
     return differences;

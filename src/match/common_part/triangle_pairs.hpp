@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 /// The target triangle of each source triangle, each at most once; -1 if there is none. O(F log F).
 std::vector<Index> match_triangles(const TriangleMesh& source, const TriangleMesh& target,
@@ -31,4 +31,4 @@ std::vector<Index> valences(const TriangleMesh& mesh);
 std::vector<std::vector<Index>> triangles_at_vertices(const TriangleMesh& mesh);
 std::vector<std::array<Index, 3>> sorted_faces(const TriangleMesh& mesh);
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/triangle_pairs.hpp"
+#include "match/common_part/triangle_pairs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using namespace isomorphism;
 
@@ -108,4 +108,4 @@ std::vector<std::array<Index, 3>> sorted_faces(const TriangleMesh& mesh) {
     return faces;
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

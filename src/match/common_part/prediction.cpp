@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/prediction.hpp"
+#include "match/common_part/prediction.hpp"
 
+#include "match/common_part/tuning.hpp"
 #include "match/isomorphism/dart_map.hpp"
-#include "match/partial/tuning.hpp"
 #include "match/symmetry/alignment.hpp"
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using isomorphism::to_size;
 
@@ -56,4 +56,4 @@ std::optional<double> Prediction::offset(Index v, Index image, const std::vector
     return (target_.vertices.row(image) - here->position).norm() / here->edge_length;
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

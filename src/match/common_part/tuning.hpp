@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 struct PartialTuning {
     // ---- seeds ----
@@ -69,4 +69,4 @@ struct PartialTuning {
 };
 inline constexpr PartialTuning tuning;
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

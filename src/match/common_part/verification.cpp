@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/verification.hpp"
+#include "match/common_part/verification.hpp"
 
-#include "match/partial/triangle_pairs.hpp"
-#include "match/partial/tuning.hpp"
+#include "match/common_part/triangle_pairs.hpp"
+#include "match/common_part/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using namespace isomorphism;
 
@@ -156,4 +156,4 @@ std::vector<Index> without_misplaced(const DartMap& source, const TriangleMesh& 
     return verifier.without_single();
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

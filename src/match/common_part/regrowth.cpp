@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/regrowth.hpp"
+#include "match/common_part/regrowth.hpp"
 
-#include "match/partial/triangle_pairs.hpp"
-#include "match/partial/tuning.hpp"
+#include "match/common_part/triangle_pairs.hpp"
+#include "match/common_part/tuning.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using isomorphism::to_size;
 
@@ -158,4 +158,4 @@ std::vector<Index> regrown(const PairSide& source, const PairSide& target, std::
     return Regrowth(source, target, std::move(map), prediction).run(report);
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

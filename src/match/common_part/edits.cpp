@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/edits.hpp"
+#include "match/common_part/edits.hpp"
 
 #include "match/isomorphism/dart_map.hpp"
 #include "mesh/disjoint_sets.hpp"
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using isomorphism::to_size;
 
@@ -137,4 +137,4 @@ std::vector<Edit> find_edits(const TriangleMesh& source, const TriangleMesh& tar
     return edits;
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

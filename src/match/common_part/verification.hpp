@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "match/common_part/prediction.hpp"
 #include "match/isomorphism/dart_map.hpp"
-#include "match/partial/prediction.hpp"
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 /// The map without what chance explains and without what lies in the wrong place.
 ///
@@ -22,4 +22,4 @@ std::vector<Index> without_misplaced(const isomorphism::DartMap& source, const T
                                      const std::vector<Index>& partner, const std::vector<bool>& known,
                                      Prediction& prediction);
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

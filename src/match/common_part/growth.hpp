@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/partial/seeding.hpp"
+#include "match/common_part/seeding.hpp"
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 /// One of the two meshes.
 struct PairSide {
@@ -112,4 +112,4 @@ struct PartialMatch {
 PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
                              const std::vector<DartPair>& settled, const std::function<void()>& report);
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

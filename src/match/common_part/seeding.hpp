@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using isomorphism::Color;
 using isomorphism::Dart;
@@ -34,4 +34,4 @@ std::vector<DartPair> find_seeds(const OpenPart& source, const OpenPart& target,
 /// as it must. Else none.
 std::vector<DartPair> surroundings(const DartMap& a, const DartMap& b, DartPair seed);
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part

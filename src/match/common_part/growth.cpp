@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/growth.hpp"
+#include "match/common_part/growth.hpp"
 
-#include "match/partial/tuning.hpp"
+#include "match/common_part/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace counterpart::partial {
+namespace counterpart::common_part {
 
 using namespace isomorphism;
 
@@ -339,4 +339,4 @@ PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
     return reversed.n_matched() > 2 * straight.n_matched() ? other : match;
 }
 
-}  // namespace counterpart::partial
+}  // namespace counterpart::common_part
