@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Which point of mesh B is this point of mesh A?
+
+>>> import counterpart
+>>> a = counterpart.make_body()
+>>> b, truth = counterpart.shuffle(counterpart.deform(a, bend=1.0))
+>>> result = counterpart.match(a, b)
+>>> result.method
+'exact'
+>>> picture = counterpart.render(a, b, result, size=(320, 200))
+"""
+
+from . import _core
+from ._arrays import FloatArray, IntArray
+from ._calls import ProgressLike
+from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
+from ._maps import (
+    Evaluation,
+    MapLike,
+    MapQuality,
+    SurfaceMap,
+    compose_maps,
+    evaluate,
+    invert_map,
+    map_quality,
+    nearest_corners,
+    project_map,
+    read_map,
+    transfer_values,
+    write_map,
+)
+from ._matching import (
+    Alternative,
+    Count,
+    Differences,
+    Edit,
+    ExactResult,
+    FrontiersResult,
+    MatchResult,
+    SpectralResult,
+    SpectralShape,
+    find_differences,
+    match,
+    match_assignment,
+    match_exact,
+    match_frontiers,
+    match_nearest,
+    match_spectral,
+)
+from ._meshes import (
+    Mesh,
+    MeshLike,
+    deform,
+    inspect,
+    make_body,
+    make_grid,
+    make_icosphere,
+    make_torus,
+    move_at_random,
+    read,
+    shuffle,
+    subdivide,
+    vertex_areas,
+    vertex_normals,
+    write,
+)
+from ._pictures import Picture, View, render, view
+from ._spectral import (
+    Spectrum,
+    ZoomOutResult,
+    distances,
+    functional_map,
+    heat_kernel_signature,
+    spectrum,
+    vertex_map,
+    wave_kernel_signature,
+    zoom_out,
+)
+from ._transfer import (
+    AlignResult,
+    MorphResult,
+    ReorderResult,
+    TransferResult,
+    align,
+    morph,
+    reorder,
+    transfer,
+)
+
+__version__ = _core.version
+for _error in (InvalidInput, UnsuitableMesh, IoError, NumericalError, Canceled):
+    _error.__module__ = __name__
+
+__all__ = [
+    "AlignResult",
+    "Alternative",
+    "Canceled",
+    "Count",
+    "Differences",
+    "Edit",
+    "Evaluation",
+    "ExactResult",
+    "FloatArray",
+    "FrontiersResult",
+    "IntArray",
+    "InvalidInput",
+    "IoError",
+    "MapLike",
+    "MapQuality",
+    "MatchResult",
+    "Mesh",
+    "MeshLike",
+    "MorphResult",
+    "NumericalError",
+    "Picture",
+    "ProgressLike",
+    "ReorderResult",
+    "SpectralResult",
+    "SpectralShape",
+    "Spectrum",
+    "SurfaceMap",
+    "TransferResult",
+    "UnsuitableMesh",
+    "View",
+    "ZoomOutResult",
+    "align",
+    "compose_maps",
+    "deform",
+    "distances",
+    "evaluate",
+    "find_differences",
+    "functional_map",
+    "heat_kernel_signature",
+    "inspect",
+    "invert_map",
+    "make_body",
+    "make_grid",
+    "make_icosphere",
+    "make_torus",
+    "map_quality",
+    "match",
+    "match_assignment",
+    "match_exact",
+    "match_frontiers",
+    "match_nearest",
+    "match_spectral",
+    "morph",
+    "move_at_random",
+    "nearest_corners",
+    "project_map",
+    "read",
+    "read_map",
+    "render",
+    "reorder",
+    "shuffle",
+    "spectrum",
+    "subdivide",
+    "transfer",
+    "transfer_values",
+    "vertex_areas",
+    "vertex_map",
+    "vertex_normals",
+    "view",
+    "wave_kernel_signature",
+    "write",
+    "write_map",
+    "zoom_out",
+]

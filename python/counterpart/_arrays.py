@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Arrays of the one type and layout that the library reads, without a copy where they have it already."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import InvalidInput
+
+FloatArray = npt.NDArray[np.float64]
+IntArray = npt.NDArray[np.int32]
+
+_INT32 = np.iinfo(np.int32)
+
+
+def _array(values: Any, what: str, kinds: str, noun: str) -> npt.NDArray[Any]:
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError, OverflowError) as error:
+        raise InvalidInput(f"{what}: not an array: {error}") from None
+    empty_list = array.size == 0 and array.dtype == np.float64
+    if array.dtype.kind not in kinds and not empty_list:
+        raise InvalidInput(f"{what} must hold {noun}, not {array.dtype}")
+    return array
+
+
+def _laid_out(array: npt.NDArray[Any], dtype: Any) -> npt.NDArray[Any]:
+    array = np.ascontiguousarray(array, dtype)
+    return array if array.flags.aligned else array.copy()
+
+
+def floats(values: Any, what: str, shape: tuple[int, ...]) -> FloatArray:
+    """``values`` as C-contiguous float64 of the shape, in which -1 stands for any length."""
+    array = _array(values, what, "fiu", "real numbers")
+    _require_shape(array, what, shape)
+    with np.errstate(over="ignore"):
+        return _laid_out(array, np.float64)
+
+
+def integers(values: Any, what: str, shape: tuple[int, ...]) -> IntArray:
+    """``values`` as C-contiguous int32 of the shape; no number changes."""
+    array = _array(values, what, "iu", "integers")
+    _require_shape(array, what, shape)
+    if array.dtype != np.int32 and array.size and (array.min() < _INT32.min or array.max() > _INT32.max):
+        first = int(np.argmax((array < _INT32.min) | (array > _INT32.max)))
+        raise InvalidInput(f"{what}: entry {first} is {array.flat[first]}, which is no index")
+    return _laid_out(array, np.int32)
+
+
+def _require_shape(array: npt.NDArray[Any], what: str, shape: tuple[int, ...]) -> None:
+    if array.ndim != len(shape) or any(shape[i] not in (-1, array.shape[i]) for i in range(len(shape))):
+        wanted = " x ".join("n" if length == -1 else str(length) for length in shape)
+        have = " x ".join(map(str, array.shape)) or "a single value"
+        raise InvalidInput(f"{what} must be {wanted}, not {have}")

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""What the functions share: progress, and results that show themselves."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+ProgressLike = bool | Callable[[float], Any] | None
+"""None; True for a bar (of tqdm, if installed); or a function of the fraction done, which cancels by returning False.
+"""
+
+
+@contextmanager
+def reporting(progress: ProgressLike, what: str) -> Iterator[Callable[[float], Any] | None]:
+    """The callback to hand to the library. Calls come at most 20 times a second."""
+    if progress is None or progress is False:
+        yield None
+    elif callable(progress):
+        yield progress
+    else:
+        yield from _bar(what)
+
+
+def _bar(what: str) -> Iterator[Callable[[float], Any]]:
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+
+        def show(fraction: float) -> None:
+            print(f"\r{what} {100 * fraction:3.0f} %", end="", file=sys.stderr, flush=True)
+
+        try:
+            yield show
+        finally:
+            print(file=sys.stderr)
+        return
+    with tqdm(total=1.0, desc=what, bar_format="{l_bar}{bar}| {elapsed}", leave=False) as bar:
+
+        def update(fraction: float) -> None:
+            bar.update(fraction - bar.n)
+
+        yield update
+
+
+def _brief(value: Any) -> str:
+    if isinstance(value, np.ndarray):
+        return f"{value.dtype}[{' x '.join(map(str, value.shape))}]"
+    if isinstance(value, float):
+        return f"{value:.4g}"
+    if isinstance(value, (list, dict)) and len(value) > 2:
+        return f"<{len(value)} {'entries' if isinstance(value, dict) else 'items'}>"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_brief, value))}]"
+    return repr(value)
+
+
+class Result:
+    """Base of the results: small objects with named fields. Arrays show as their type and shape."""
+
+    def __repr__(self) -> str:
+        if not dataclasses.is_dataclass(self):
+            return object.__repr__(self)
+        names = [field.name for field in dataclasses.fields(self) if field.repr]
+        shown = [f"{name}={_brief(getattr(self, name))}" for name in names]
+        return f"{type(self).__name__}({', '.join(shown)})"

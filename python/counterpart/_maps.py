@@ -1,0 +1,310 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Maps between meshes: to vertices, to points of triangles; their files and their quality."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._arrays import FloatArray, IntArray, floats, integers
+from ._calls import ProgressLike, Result, reporting
+from ._core import InvalidInput
+from ._meshes import MeshLike, core_mesh
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SurfaceMap(Result):
+    """For each source vertex a point of a target triangle."""
+
+    triangle: IntArray
+    """(n_source,): the target triangle, -1 for unmatched vertices."""
+    weights: FloatArray
+    """(n_source, 3): barycentric weights in the triangle's corner order; each at least 0, sum 1."""
+
+    def __len__(self) -> int:
+        return len(self.triangle)
+
+
+MapLike = SurfaceMap | Any
+"""Target vertex of each source vertex (-1 for none): an array, a path, or any result that has `target_from_source`; or,
+where points inside triangles are meant, a `SurfaceMap`."""
+
+
+def vertex_map_of(target_from_source: MapLike, what: str = "target_from_source") -> IntArray:
+    """The map as int32, one entry per source vertex."""
+    value = _opened(target_from_source)
+    if isinstance(value, SurfaceMap):
+        raise InvalidInput(f"{what} must be a map to vertices: see nearest_corners")
+    return integers(value, what, (-1,))
+
+
+def surface_map_of(
+    target_from_source: MapLike | None, source: _core.Mesh, target: _core.Mesh, n_threads: int = 0
+) -> tuple[IntArray, FloatArray]:
+    """The map as triangles and weights: a map to vertices is projected, none is the identity."""
+    if target_from_source is None:
+        if source.n_vertices != target.n_vertices:
+            raise InvalidInput(f"the meshes have {source.n_vertices} and {target.n_vertices} vertices: give a map")
+        return _core.surface_map(target, np.arange(source.n_vertices, dtype=np.int32))
+    value = _opened(target_from_source)
+    if isinstance(value, SurfaceMap):
+        triangle, weights = value.triangle, value.weights
+    else:
+        image = _checked(integers(value, "target_from_source", (-1,)), source)
+        triangle, weights = _core.project_map(source, target, image, 2, 3, 0, 0.5, n_threads, None)
+    triangle = _checked(integers(triangle, "triangle", (-1,)), source)
+    return triangle, floats(weights, "weights", (len(triangle), 3))
+
+
+def _opened(value: MapLike) -> Any:
+    if isinstance(value, (str, os.PathLike)):
+        return read_map(value)
+    return getattr(value, "target_from_source", value)
+
+
+def _checked(image: IntArray, source: _core.Mesh) -> IntArray:
+    if len(image) != source.n_vertices:
+        raise InvalidInput(f"the map has {len(image)} entries, but its source mesh has {source.n_vertices} vertices")
+    return image
+
+
+def read_map(file: str | os.PathLike[str], *, one_based: bool = False) -> IntArray | SurfaceMap:
+    """Read a map from text or ``.npy``: an array for a map to vertices, a `SurfaceMap` for one to points.
+
+    Parameters
+    ----------
+    file : path
+    one_based : bool
+        The file counts vertices from 1; only maps to vertices do.
+    """
+    result = _core.read_map(os.fspath(file), one_based)
+    return SurfaceMap(*result) if isinstance(result, tuple) else result
+
+
+def write_map(map: MapLike, file: str | os.PathLike[str], *, one_based: bool = False) -> None:
+    """Write a map, to ``.npy`` if the file has that extension, else to text. The program reads both."""
+    if isinstance(map, SurfaceMap):
+        _core.write_surface_map(
+            integers(map.triangle, "triangle", (-1,)), floats(map.weights, "weights", (-1, 3)), os.fspath(file)
+        )
+    else:
+        _core.write_map(vertex_map_of(map, "map"), os.fspath(file), one_based)
+
+
+def project_map(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike,
+    *,
+    rings: int = 2,
+    passes: int = 3,
+    extend: int = 0,
+    exact_share: float = 0.5,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> SurfaceMap:
+    """A smooth map to points of triangles from a map to vertices.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    target_from_source : MapLike
+    rings : int
+        Rings of source vertices whose images are averaged, 1 .. 5.
+    passes : int
+        Smoothing passes over the images, 1 .. 100.
+    extend : int
+        Rounds of extending the map into what is unmatched, 0 .. 1000.
+    exact_share : float
+        Vertices whose triangles all map to target triangles keep their images if at least this share does.
+    n_threads : int
+        0 for all; the result does not depend on it.
+    progress : ProgressLike
+    """
+    image = vertex_map_of(target_from_source)
+    with reporting(progress, "projecting") as report:
+        return SurfaceMap(
+            *_core.project_map(
+                core_mesh(source), core_mesh(target), image, rings, passes, extend, exact_share, n_threads, report
+            )
+        )
+
+
+def invert_map(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike,
+    *,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> SurfaceMap:
+    """The map back: for each target vertex a point of a source triangle, unmatched where no source is near."""
+    source, target = core_mesh(source), core_mesh(target)
+    triangle, weights = surface_map_of(target_from_source, source, target, n_threads)
+    with reporting(progress, "inverting") as report:
+        return SurfaceMap(*_core.invert_surface_map(source, target, triangle, weights, n_threads, report))
+
+
+def nearest_corners(target: MeshLike, target_from_source: SurfaceMap) -> IntArray:
+    """The map to the corner that is nearest to each image, (n_source,)."""
+    return _core.nearest_corners(
+        core_mesh(target),
+        integers(target_from_source.triangle, "triangle", (-1,)),
+        floats(target_from_source.weights, "weights", (-1, 3)),
+    )
+
+
+def compose_maps(b_from_a: MapLike, c_from_b: MapLike) -> IntArray:
+    """``c_from_a``: first the one map, then the other; -1 where either is."""
+    return _core.compose_maps(vertex_map_of(b_from_a, "b_from_a"), vertex_map_of(c_from_b, "c_from_b"))
+
+
+def transfer_values(
+    source: MeshLike, target: MeshLike, target_from_source: MapLike, values: Any, *, n_threads: int = 0
+) -> FloatArray:
+    """Values at the source's vertices, interpolated at the target's.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    target_from_source : MapLike
+    values : array_like, (n_source,) or (n_source, k)
+    n_threads : int
+
+    Returns
+    -------
+    ndarray, (n_target,) or (n_target, k)
+        NaN where the target has no counterpart.
+    """
+    array = np.asarray(values)
+    columns = floats(array[:, None] if array.ndim == 1 else array, "values", (-1, -1))
+    source, target = core_mesh(source), core_mesh(target)
+    if len(columns) != source.n_vertices:
+        raise InvalidInput(f"{len(columns)} values, but the source has {source.n_vertices} vertices")
+    triangle, weights = surface_map_of(target_from_source, source, target, n_threads)
+    back = _core.invert_surface_map(source, target, triangle, weights, n_threads, None)
+    pulled = _core.pull(source, *back, columns)
+    pulled[back[0] < 0] = np.nan
+    return pulled[:, 0] if array.ndim == 1 else pulled
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class MapQuality(Result):
+    """What can be said of a map without the truth; see `map_quality`."""
+
+    n_matched: int
+    """Source vertices with an image."""
+    n_distinct: int
+    """Distinct target vertices among the images."""
+    coverage: float
+    """n_distinct / target vertices."""
+    preserved_edges: float
+    """Of the source's edges with both ends matched, the fraction that map to a target edge."""
+    collapsed_edges: float
+    """The fraction whose ends map to one vertex."""
+
+
+def map_quality(source: MeshLike, target: MeshLike, target_from_source: MapLike) -> MapQuality:
+    """Measure a map without the truth."""
+    return MapQuality(**_core.map_quality(core_mesh(source), core_mesh(target), vertex_map_of(target_from_source)))
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Evaluation(Result):
+    """Errors of a map against the truth: see `evaluate`.
+
+    Errors in `mean_error` .. `max_error` and `thresholds` are geodesic distances x 100 / sqrt(target area).
+    """
+
+    n_pairs: int
+    n_unmatched: int
+    n_other_component: int
+    n_exact: int
+    target_area: float
+    """Squared mesh units."""
+    error: FloatArray
+    """Per true pair, in mesh units: inf for another component, NaN where unmatched."""
+    mean_error: float
+    median_error: float
+    percentile_95_error: float
+    max_error: float
+    cost: dict[str, float]
+    """Sum of the squared errors, `raw` in squared mesh units and `normalized` to mean / area."""
+    base_vertex_cost: dict[str, float] | None
+    thresholds: FloatArray
+    fraction_within: FloatArray
+    """The fraction of the matched pairs with an error up to each threshold."""
+
+
+def truth_pairs(truth: Any) -> IntArray:
+    """Pairs (source vertex, target vertex) from a map with -1 for unknown, or pairs."""
+    value = _opened(truth)
+    array = np.asarray(value)
+    if array.ndim == 2:
+        return integers(array, "truth", (-1, 2))
+    image = integers(array, "truth", (-1,))
+    known = np.flatnonzero(image >= 0).astype(np.int32)
+    return np.ascontiguousarray(np.column_stack([known, image[known]]), np.int32)
+
+
+def evaluate(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike,
+    truth: Any,
+    *,
+    shortcuts: bool = True,
+    n_base_vertices: int = 0,
+    thresholds: Any = (),
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> Evaluation:
+    """Measure a map against the truth, along the target's surface.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    target_from_source : MapLike
+        The map to measure.
+    truth : array_like of int, (n_source,) or (n_pairs, 2)
+        The true target vertex of each source vertex (-1 for unknown), or pairs of vertices; or a map file.
+    shortcuts : bool
+        Measure along edges and shortcuts across them (1-2 % above exact geodesics), or along edges only (15 %).
+    n_base_vertices : int
+        Also approximate the cost from this many farthest-point samples.
+    thresholds : array_like, optional
+        Errors at which the curve is sampled, increasing. Default: 0, 0.25, ..., 25.
+    n_threads : int
+    progress : ProgressLike
+
+    Returns
+    -------
+    Evaluation
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> a = counterpart.make_body(0)
+    >>> b, truth = counterpart.shuffle(a)
+    >>> counterpart.evaluate(a, b, counterpart.match(a, b), truth).mean_error
+    0.0
+    """
+    with reporting(progress, "measuring") as report:
+        return Evaluation(
+            **_core.evaluate(
+                core_mesh(source),
+                core_mesh(target),
+                vertex_map_of(target_from_source),
+                truth_pairs(truth),
+                shortcuts,
+                n_base_vertices,
+                floats(thresholds, "thresholds", (-1,)),
+                n_threads,
+                report,
+            )
+        )

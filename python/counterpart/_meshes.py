@@ -1,0 +1,350 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Meshes: from files, arrays and the objects of other packages."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._arrays import FloatArray, IntArray, floats, integers
+from ._core import InvalidInput
+
+Attribute = tuple[FloatArray, IntArray]
+"""Values (n x k) and, for each corner of each triangle, its row among them (n_triangles x 3, -1 for none)."""
+
+
+class Mesh:
+    """A triangle mesh, with its attributes if it has any.
+
+    Every function that takes a mesh also takes a path, a pair ``(vertices, triangles)``, or a mesh of trimesh, Open3D,
+    pyvista or meshio: this class is what `read` and the functions that make meshes return.
+
+    Parameters
+    ----------
+    vertices : array_like, (n_vertices, 3)
+        Positions. Kept without a copy if they are C-contiguous float64.
+    triangles : array_like of int, (n_triangles, 3)
+        Vertex numbers from 0, counter-clockwise seen from outside. Kept without a copy if C-contiguous int32.
+    normals : (values, corners), optional
+        Values (n x 3) and, for each corner of each triangle, the row that it has (n_triangles x 3, -1 for none).
+    texture_coordinates, colors : sequence of (values, corners), optional
+        Likewise, n x 2 and n x 3 or n x 4.
+    skin : (joints, weights), optional
+        Both n_vertices x k: joint numbers, and weights that sum to 1 in each row.
+    morphs : mapping of str to array_like, optional
+        Displacements (n_vertices x 3) of each morph target.
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> mesh = counterpart.make_icosphere(2)
+    >>> mesh
+    Mesh(162 vertices, 320 triangles)
+    >>> vertices, triangles = mesh
+    >>> vertices.shape
+    (162, 3)
+    """
+
+    __slots__ = ("_content", "_triangles", "_vertices", "notices")
+
+    notices: list[str]
+    """What the reader changed or left out, as sentences."""
+
+    def __init__(
+        self,
+        vertices: Any,
+        triangles: Any,
+        *,
+        normals: tuple[Any, Any] | None = None,
+        texture_coordinates: Sequence[tuple[Any, Any]] = (),
+        colors: Sequence[tuple[Any, Any]] = (),
+        skin: tuple[Any, Any] | None = None,
+        morphs: Mapping[str, Any] | None = None,
+    ) -> None:
+        self._vertices = floats(vertices, "vertices", (-1, 3))
+        self._triangles = integers(triangles, "triangles", (-1, 3))
+        self._content: _core.Content | None = None
+        self.notices = []
+        if normals is None and not texture_coordinates and not colors and skin is None and not morphs:
+            return
+        content = _core.Content(self._vertices, self._triangles)
+        if normals is not None:
+            content.set_normals(*_attribute(normals, "normals", 3))
+        for pair in texture_coordinates:
+            content.add_texture_coordinates(*_attribute(pair, "texture coordinates", 2))
+        for pair in colors:
+            content.add_colors(*_attribute(pair, "colors", -1))
+        if skin is not None:
+            content.set_skin(integers(skin[0], "joints", (-1, -1)), floats(skin[1], "weights", (-1, -1)))
+        for name, displacements in (morphs or {}).items():
+            content.add_morph(name, floats(displacements, f"morph {name}", (-1, 3)))
+        self._content = content
+
+    @classmethod
+    def _of(cls, content: _core.Content, notices: Sequence[str] = ()) -> Mesh:
+        mesh = cls.__new__(cls)
+        mesh._vertices, mesh._triangles = content.vertices, content.triangles
+        mesh._content, mesh.notices = content, list(notices)
+        return mesh
+
+    @property
+    def vertices(self) -> FloatArray:
+        """Positions, n_vertices x 3."""
+        return self._vertices
+
+    @property
+    def triangles(self) -> IntArray:
+        """Vertex numbers from 0, n_triangles x 3."""
+        return self._triangles
+
+    @property
+    def faces(self) -> IntArray:
+        """The triangles, under the name that other packages use."""
+        return self._triangles
+
+    @property
+    def n_vertices(self) -> int:
+        return len(self._vertices)
+
+    @property
+    def n_triangles(self) -> int:
+        return len(self._triangles)
+
+    @property
+    def normals(self) -> Attribute | None:
+        """Values (n x 3) and the row of each corner (n_triangles x 3), or None."""
+        return self._content.normals if self._content else None
+
+    @property
+    def texture_coordinates(self) -> list[Attribute]:
+        """Sets of values (n x 2, (0, 0) at the image's top left) and the row of each corner."""
+        return list(self._content.texture_coordinates) if self._content else []
+
+    @property
+    def colors(self) -> list[Attribute]:
+        """Sets of values (n x 3 or n x 4, 0 .. 1) and the row of each corner."""
+        return list(self._content.colors) if self._content else []
+
+    @property
+    def skin(self) -> tuple[IntArray, FloatArray] | None:
+        """Joints and weights, both n_vertices x k, or None."""
+        return self._content.skin if self._content else None
+
+    @property
+    def morphs(self) -> dict[str, FloatArray]:
+        """The displacements (n_vertices x 3) of each morph target, by name."""
+        return dict(self._content.morphs) if self._content else {}
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self._vertices, self._triangles))
+
+    def __repr__(self) -> str:
+        kinds = ["normals"] if self.normals else []
+        kinds += ["texture coordinates"] if self.texture_coordinates else []
+        kinds += ["colors"] if self.colors else []
+        kinds += ["skin"] if self.skin else []
+        kinds += [f"{len(self.morphs)} morph targets"] if self.morphs else []
+        return f"Mesh({', '.join([f'{self.n_vertices} vertices', f'{self.n_triangles} triangles', *kinds])})"
+
+
+MeshLike = str | os.PathLike[str] | Mesh | tuple[Any, Any] | Any
+"""A path, a `Mesh`, a pair (vertices, triangles), or a mesh of trimesh, Open3D, pyvista or meshio."""
+
+
+def _attribute(pair: tuple[Any, Any], what: str, width: int) -> tuple[FloatArray, IntArray]:
+    values, corners = pair
+    return floats(values, what, (-1, width)), integers(corners, f"corners of the {what}", (-1, 3))
+
+
+def _of_meshio(mesh: Any) -> tuple[Any, Any]:
+    flat = {"triangle", "vertex", "line"}
+    other = [kind for kind in mesh.cells_dict if kind not in flat]
+    if other or "triangle" not in mesh.cells_dict:
+        raise InvalidInput(f"only triangles can be matched, this mesh has cells of {', '.join(other) or 'no area'}")
+    points = np.asarray(mesh.points)
+    if points.ndim == 2 and points.shape[1] == 2:
+        points = np.column_stack([points, np.zeros(len(points))])
+    return points, mesh.cells_dict["triangle"]
+
+
+def _of_pyvista(mesh: Any) -> tuple[Any, Any]:
+    if not mesh.is_all_triangles:
+        raise InvalidInput("only triangles can be matched, this mesh has other faces: call triangulate() first")
+    return mesh.points, np.asarray(mesh.faces).reshape(-1, 4)[:, 1:]
+
+
+def arrays_of(mesh: MeshLike) -> tuple[FloatArray, IntArray]:
+    """Vertices and triangles of any mesh, in the library's type and layout."""
+    if isinstance(mesh, Mesh):
+        return mesh.vertices, mesh.triangles
+    if isinstance(mesh, (str, os.PathLike)):
+        return arrays_of(read(mesh))
+    vertices, triangles = _pair_of(mesh)
+    return floats(vertices, "vertices", (-1, 3)), integers(triangles, "triangles", (-1, 3))
+
+
+def _pair_of(mesh: Any) -> tuple[Any, Any]:
+    if hasattr(mesh, "cells_dict") and hasattr(mesh, "points"):
+        return _of_meshio(mesh)
+    if hasattr(mesh, "is_all_triangles") and hasattr(mesh, "points"):
+        return _of_pyvista(mesh)
+    for names in (("vertices", "faces"), ("vertices", "triangles"), ("vertlist", "facelist")):  # the last: pyFM
+        if all(hasattr(mesh, name) for name in names):
+            return getattr(mesh, names[0]), getattr(mesh, names[1])
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        return mesh[0], mesh[1]
+    raise InvalidInput(
+        f"{type(mesh).__name__} is no mesh: give a path, (vertices, triangles), or a mesh of trimesh, Open3D, pyvista "
+        "or meshio"
+    )
+
+
+def core_mesh(mesh: MeshLike) -> _core.Mesh:
+    """The mesh as the library sees it: the arrays themselves, checked."""
+    return _core.Mesh(*arrays_of(mesh))
+
+
+def content_of(mesh: MeshLike) -> _core.Content:
+    """The mesh with its attributes as the library holds it."""
+    if isinstance(mesh, (str, os.PathLike)):
+        mesh = read(mesh)
+    if isinstance(mesh, Mesh) and mesh._content is not None:
+        return mesh._content
+    return _core.Content(*arrays_of(mesh))
+
+
+def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
+    """Read OFF, OBJ, PLY, STL or glTF (.glb, .gltf) with the attributes that the format holds.
+
+    Vertices are those of the file, in its order (STL and glTF, which split them: merged again).
+
+    Parameters
+    ----------
+    file : path
+        Its extension decides the format.
+    allow_external : bool
+        Follow what a glTF file names outside its own folder.
+
+    Raises
+    ------
+    IoError
+        The file cannot be read; names the file, the line and the reason.
+    """
+    content, notices = _core.read(os.fspath(file), allow_external)
+    return Mesh._of(content, notices)
+
+
+def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:
+    """Write a mesh with the attributes that the format of the extension holds: OFF, OBJ, PLY, STL, glTF.
+
+    The file appears whole or not at all.
+
+    Raises
+    ------
+    IoError
+        The file cannot be written.
+    InvalidInput
+        The mesh is invalid.
+    """
+    if isinstance(mesh, Mesh) and mesh._content is not None:
+        _core.write(mesh._content, os.fspath(file))
+    else:
+        _core.write_triangles(core_mesh(mesh), os.fspath(file))
+
+
+def make_icosphere(subdivisions: int = 3) -> Mesh:
+    """Unit sphere of ``10 * 4**subdivisions + 2`` vertices; 0 .. 10 subdivisions."""
+    return Mesh(*_core.make_icosphere(subdivisions))
+
+
+def make_torus(rings: int = 48, segments: int = 24) -> Mesh:
+    """Torus around the z axis, radii 1 and 0.4, of rings x segments vertices (each at least 3)."""
+    return Mesh(*_core.make_torus(rings, segments))
+
+
+def make_grid(columns: int = 10, rows: int = 10) -> Mesh:
+    """Unit square in the xy plane with columns x rows cells of two triangles."""
+    return Mesh(*_core.make_grid(columns, rows))
+
+
+def make_body(subdivisions: int = 2, *, symmetric: bool = False) -> Mesh:
+    """A figure with head, arms, legs and a tail, about 1 high (y), facing +z.
+
+    Parameters
+    ----------
+    subdivisions : int
+        0 .. 7; each quadruples the vertices: about 4500 for 2.
+    symmetric : bool
+        Equal arms and a mirror symmetry; else the connectivity has no symmetry.
+    """
+    return Mesh(*_core.make_body(subdivisions, symmetric))
+
+
+def subdivide(mesh: MeshLike) -> Mesh:
+    """Every triangle split into four at the midpoints of its edges; old vertices keep their numbers."""
+    return Mesh(*_core.subdivide(core_mesh(mesh)))
+
+
+def deform(mesh: MeshLike, *, bend: float = 0, twist: float = 0, warp: float = 0, seed: int = 1) -> Mesh:
+    """The same mesh in another pose: twisted, bent, then warped.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+    bend, twist : float
+        Radians between the two ends of the longest axis, -2 pi .. 2 pi.
+    warp : float
+        Size of a smooth random displacement, as a fraction of the mesh's length; 0 .. 0.5.
+    seed : int
+        Of that displacement.
+    """
+    vertices, triangles = arrays_of(mesh)
+    return Mesh(_core.deform(_core.Mesh(vertices, triangles), bend, twist, warp, seed), triangles)
+
+
+def shuffle(mesh: MeshLike, seed: int = 1) -> tuple[Mesh, IntArray]:
+    """The same surface with vertices, triangles and first corners in random order, and the true map.
+
+    Returns
+    -------
+    mesh : Mesh
+    shuffled_from_original : ndarray of int32, (n_vertices,)
+        The new number of each old vertex.
+    """
+    vertices, triangles, truth = _core.shuffle(core_mesh(mesh), seed)
+    return Mesh(vertices, triangles), truth
+
+
+def move_at_random(mesh: MeshLike, seed: int = 1) -> Mesh:
+    """The mesh under a random rotation, scale (0.5 .. 2) and translation."""
+    vertices, triangles = arrays_of(mesh)
+    return Mesh(_core.move_at_random(_core.Mesh(vertices, triangles), seed), triangles)
+
+
+def inspect(mesh: MeshLike) -> dict[str, Any]:
+    """Counts, measures and defects of a mesh: what `counterpart inspect` prints.
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> report = counterpart.inspect(counterpart.make_torus())
+    >>> report["components"][0]["genus"], report["is_closed"]
+    (1, True)
+    """
+    report: dict[str, Any] = _core.inspect(core_mesh(mesh))
+    return report
+
+
+def vertex_areas(mesh: MeshLike) -> FloatArray:
+    """A third of the area of the triangles at each vertex, (n_vertices,), in squared mesh units."""
+    return _core.vertex_areas(core_mesh(mesh))
+
+
+def vertex_normals(mesh: MeshLike) -> FloatArray:
+    """Unit normals, n_vertices x 3."""
+    return _core.vertex_normals(core_mesh(mesh))

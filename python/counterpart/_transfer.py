@@ -1,0 +1,280 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""What a map is good for: attributes, in-between shapes, alignment, vertex order."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Collection
+from typing import Any, Literal
+
+import numpy as np
+
+from . import _core
+from ._arrays import FloatArray, IntArray, floats
+from ._calls import ProgressLike, Result, reporting
+from ._core import InvalidInput
+from ._maps import MapLike, surface_map_of
+from ._matching import _exact_options
+from ._meshes import Mesh, MeshLike, arrays_of, content_of, core_mesh
+
+Kind = Literal["colors", "texture_coordinates", "normals", "skin", "morphs", "materials"]
+KINDS: tuple[Kind, ...] = ("colors", "texture_coordinates", "normals", "skin", "morphs", "materials")
+Model = Literal["rigid", "similarity", "affine"]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class TransferResult(Result):
+    """What `transfer` made."""
+
+    mesh: Mesh
+    """The target's mesh with the source's attributes; `write` it as .glb or .gltf."""
+    n_matched: int
+    """Target vertices with a point of the source."""
+    attributes: list[dict[str, Any]]
+    """How each attribute was transferred: its name and counts."""
+    has_materials: bool
+    warnings: list[str]
+    """Sentences: what may be wrong, and what to do."""
+
+
+def transfer(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike | None = None,
+    *,
+    source_from_target: MapLike | None = None,
+    what: Collection[Kind] = KINDS,
+    max_influences: int = 0,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> TransferResult:
+    """The source's colors, texture, normals, skin and morph targets on the target's mesh.
+
+    Parameters
+    ----------
+    source : MeshLike
+        With the attributes: a path, or what `read` returned.
+    target : MeshLike
+        Keeps its shape.
+    target_from_source, source_from_target : MapLike, optional
+        The map, in either direction. Without one, vertex i is vertex i.
+    what : collection of str
+        Any of "colors", "texture_coordinates", "normals", "skin", "morphs", "materials".
+    max_influences : int
+        Largest number of joints per vertex, 1 .. 64; 0 for as many as the source has.
+    n_threads : int
+    progress : ProgressLike
+
+    Raises
+    ------
+    InvalidInput
+        Map or attributes do not fit the meshes.
+    IoError
+        A texture is missing.
+    """
+    options = _core.TransferOptions()
+    unknown = [kind for kind in what if kind not in KINDS]
+    if isinstance(what, str) or unknown:
+        raise InvalidInput(f"what must be a collection of {', '.join(KINDS)}; not {what!r}")
+    for kind in KINDS:
+        setattr(options, kind, kind in what)
+    options.max_influences = max_influences
+    options.n_threads = n_threads
+    if target_from_source is not None and source_from_target is not None:
+        raise InvalidInput("give one map: target_from_source or source_from_target")
+    source_content, target_content = content_of(source), content_of(target)
+    begin, end = (_core.Mesh(content.vertices, content.triangles) for content in (source_content, target_content))
+    inverse = source_from_target is not None
+    if inverse:
+        begin, end = end, begin
+    pair = surface_map_of(source_from_target if inverse else target_from_source, begin, end, n_threads)
+    with reporting(progress, "transferring") as report:
+        fields = _core.transfer(source_content, target_content, *pair, inverse, options, report)
+    return TransferResult(mesh=Mesh._of(fields.pop("content")), **fields)
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class ReorderResult(Result):
+    """What `reorder` made."""
+
+    mesh: Mesh
+    """The target's shape in the source's order."""
+    target_from_source: IntArray
+    notices: list[str]
+
+
+def reorder(
+    source: MeshLike, target: MeshLike, *, allow_mirror: bool = False, weld_distance: float | None = None
+) -> ReorderResult:
+    """The target's shape with the source's vertex order and triangles; the same connectivity is needed.
+
+    Parameters
+    ----------
+    source : MeshLike
+        With the wanted order.
+    target : MeshLike
+        With the wanted shape; its attributes come along, if it has any, else the source's.
+    allow_mirror, weld_distance
+        See `match_exact`.
+
+    Raises
+    ------
+    InvalidInput
+        The connectivity differs; the message says where.
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> a = counterpart.make_body(0)
+    >>> shuffled, _ = counterpart.shuffle(counterpart.deform(a, bend=0.5))
+    >>> restored = counterpart.reorder(a, shuffled).mesh
+    >>> bool((restored.vertices == counterpart.deform(a, bend=0.5).vertices).all())
+    True
+    """
+    options = _exact_options(allow_mirror, weld_distance, 0, 0)
+    content, image, notices = _core.reorder(content_of(source), content_of(target), options)
+    return ReorderResult(Mesh._of(content), image, notices)
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class MorphResult(Result):
+    """What `morph` made."""
+
+    frames: FloatArray
+    """(count, n_vertices, 3): the shapes in between, without the key frames."""
+    last: FloatArray
+    """(n_vertices, 3): the last key frame in the connectivity of the first."""
+    triangles: IntArray
+    """Of the first mesh; those of all frames."""
+    n_followers: int
+    """Unmatched vertices, which follow their neighbors."""
+
+
+def morph(
+    first: MeshLike,
+    last: MeshLike,
+    last_from_first: MapLike | None = None,
+    *,
+    count: int = 24,
+    iterations: int = 3,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> MorphResult:
+    """Shapes in between two meshes, as rigid as possible, in the connectivity of the first.
+
+    Parameters
+    ----------
+    first, last : MeshLike
+    last_from_first : MapLike, optional
+        Without one, vertex i is vertex i.
+    count : int
+        Frames between the key frames, evenly spaced in time.
+    iterations : int
+        Alternations of fitting rotations and positions per frame, 0 .. 100.
+    n_threads : int
+    progress : ProgressLike
+
+    Notes
+    -----
+    Sorkine and Alexa 2007; Alexa, Cohen-Or, Levin 2000.
+    """
+    vertices, triangles = arrays_of(first)
+    ends = _core.Mesh(vertices, triangles), core_mesh(last)
+    pose, followers = _core.last_pose(*ends, *surface_map_of(last_from_first, *ends, n_threads))
+    with reporting(progress, "morphing") as report:
+        frames = _core.morph_frames(ends[0], pose, count, iterations, n_threads, report)
+    stacked = np.stack(frames) if frames else np.empty((0, *pose.shape))
+    return MorphResult(stacked, pose, triangles, followers)
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class AlignResult(Result):
+    """What `align` found."""
+
+    matrix: FloatArray
+    """(4, 4): multiplies columns [x, y, z, 1] of the source."""
+    vertices: FloatArray
+    """(n_source, 3): the source's vertices, moved."""
+    rms_distance: float
+    n_iterations: int
+    converged: bool
+
+
+def align(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike | None = None,
+    *,
+    model: Model = "rigid",
+    icp: bool = False,
+    max_iterations: int = 100,
+    trim: float = 0,
+    known_weight: float = 1,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> AlignResult:
+    """Move the source onto the target by a map, by ICP, or both.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    target_from_source : MapLike, optional
+        The pairs to align. Needed without `icp`.
+    model : {"rigid", "similarity", "affine"}
+        Never a reflection.
+    icp : bool
+        Iterative closest points, from the fit to the map, or the centroids.
+    max_iterations : int
+        Of ICP, 1 .. 10000.
+    trim : float
+        Fraction of the pairs, the farthest, that ICP ignores; 0 .. 0.9.
+    known_weight : float
+        Total weight of the map's pairs in ICP.
+    n_threads : int
+    progress : ProgressLike
+
+    Notes
+    -----
+    Kabsch 1976; Umeyama 1991; Besl and McKay 1992; Chetverikov et al. 2002.
+    """
+    if target_from_source is None and not icp:
+        raise InvalidInput("give a map, icp=True, or both")
+    vertices, triangles = arrays_of(source)
+    goals, goal_triangles = arrays_of(target)
+    core, goal = _core.Mesh(vertices, triangles), _core.Mesh(goals, goal_triangles)
+    triangle, weights = np.empty(0, np.int32), np.empty((0, 3))
+    start = np.eye(4)
+    start[:3, 3] = _mean(goals) - _mean(vertices)
+    if target_from_source is not None:
+        triangle, weights = surface_map_of(target_from_source, core, goal, n_threads)
+        matched = np.flatnonzero(triangle >= 0)
+        if not icp or len(matched) >= 4:
+            images = _core.pull(goal, triangle, weights, goals)
+            fit = _core.align_pairs(
+                np.ascontiguousarray(vertices[matched]), np.ascontiguousarray(images[matched]), model, vertices
+            )
+            if not icp:
+                return AlignResult(**fit)
+            start = fit["matrix"]
+    with reporting(progress, "aligning") as report:
+        return AlignResult(
+            **_core.align_icp(
+                core,
+                goal,
+                floats(start, "start", (4, 4)),
+                triangle,
+                weights,
+                model,
+                max_iterations,
+                trim,
+                known_weight,
+                n_threads,
+                report,
+            )
+        )
+
+
+def _mean(points: FloatArray) -> FloatArray:
+    mean: FloatArray = points.mean(axis=0)
+    return mean

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Meshes with attributes, and their files.
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "call.hpp"
+
+#include <counterpart/io/mesh_file.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
+
+#include <map>
+
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace counterpart::python {
+namespace {
+
+using namespace nb::literals;
+
+// An array of what `content` holds, which it keeps alive.
+template <class Derived>
+NewMatrix<typename Derived::Scalar> view_of(AttributedMesh& content,
+                                            Eigen::PlainObjectBase<Derived>& matrix) {
+    static_assert(Derived::IsRowMajor);
+    return {matrix.data(),
+            {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
+            nb::find(content)};
+}
+
+using AttributeArrays = std::tuple<NewMatrix<double>, NewMatrix<Index>>;
+
+std::optional<AttributeArrays> view_of(AttributedMesh& content, CornerAttribute& attribute) {
+    if (attribute.corners.rows() == 0) return std::nullopt;
+    return AttributeArrays(view_of(content, attribute.values), view_of(content, attribute.corners));
+}
+
+std::vector<AttributeArrays> view_of(AttributedMesh& content, std::vector<CornerAttribute>& attributes) {
+    std::vector<AttributeArrays> list;
+    for (CornerAttribute& attribute : attributes)
+        if (auto arrays = view_of(content, attribute)) list.push_back(*std::move(arrays));
+    return list;
+}
+
+CornerAttribute attribute_of(const MatrixArray& values, const TriangleArray& corners) {
+    return {map_of(values), map_of(corners)};
+}
+
+using JointArray = nb::ndarray<const Index, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+SkinBinding skin_of(const JointArray& joints, const MatrixArray& weights) {
+    using Joints = decltype(SkinBinding::joints);
+    return {Eigen::Map<const Joints>(joints.data(), static_cast<Eigen::Index>(joints.shape(0)),
+                                     static_cast<Eigen::Index>(joints.shape(1))),
+            map_of(weights)};
+}
+
+}  // namespace
+
+void bind_content(nb::module_& module) {
+    nb::class_<AttributedMesh>(module, "Content")
+        .def(
+            "__init__",
+            [](AttributedMesh* self, const PointArray& vertices, const TriangleArray& triangles) {
+                TriangleMesh mesh{map_of(vertices), map_of(triangles)};
+                require_valid(mesh);
+                new (self) AttributedMesh();
+                self->mesh = std::move(mesh);
+            },
+            "vertices"_a.noconvert(), "triangles"_a.noconvert())
+        .def_prop_ro("vertices", [](AttributedMesh& self) { return view_of(self, self.mesh.vertices); })
+        .def_prop_ro("triangles", [](AttributedMesh& self) { return view_of(self, self.mesh.triangles); })
+        .def_prop_ro("normals", [](AttributedMesh& self) { return view_of(self, self.normals); })
+        .def_prop_ro("texture_coordinates",
+                     [](AttributedMesh& self) { return view_of(self, self.texture_coordinates); })
+        .def_prop_ro("colors", [](AttributedMesh& self) { return view_of(self, self.colors); })
+        .def_prop_ro(
+            "skin",
+            [](AttributedMesh& self) -> std::optional<std::tuple<NewMatrix<Index>, NewMatrix<double>>> {
+                if (self.skin.joints.rows() == 0) return std::nullopt;
+                return std::tuple(view_of(self, self.skin.joints), view_of(self, self.skin.weights));
+            })
+        .def_prop_ro("morphs",
+                     [](AttributedMesh& self) {
+                         std::map<std::string, NewMatrix<double>> morphs;
+                         for (MorphTarget& morph : self.morphs)
+                             morphs.insert_or_assign(morph.name, view_of(self, morph.displacements));
+                         return morphs;
+                     })
+        .def_prop_ro("parts", [](AttributedMesh& self) { return array(self.parts); })
+        .def_prop_ro("part_names", [](AttributedMesh& self) { return self.part_names; })
+        .def("set_normals",
+             [](AttributedMesh& self, const MatrixArray& values, const TriangleArray& corners) {
+                 self.normals = attribute_of(values, corners);
+             })
+        .def("add_texture_coordinates",
+             [](AttributedMesh& self, const MatrixArray& values, const TriangleArray& corners) {
+                 self.texture_coordinates.push_back(attribute_of(values, corners));
+             })
+        .def("add_colors",
+             [](AttributedMesh& self, const MatrixArray& values, const TriangleArray& corners) {
+                 self.colors.push_back(attribute_of(values, corners));
+             })
+        .def("set_skin", [](AttributedMesh& self, const JointArray& joints,
+                            const MatrixArray& weights) { self.skin = skin_of(joints, weights); })
+        .def("add_morph", [](AttributedMesh& self, const std::string& name, const PointArray& displacements) {
+            self.morphs.push_back({name, map_of(displacements)});
+        });
+
+    module.def(
+        "read",
+        [](const std::filesystem::path& file, bool allow_external) {
+            AttributedMeshFile read =
+                run([&] { return read_attributed_mesh(file, {.allow_external = allow_external}); });
+            return std::tuple(std::move(read.content), std::move(read.notices));
+        },
+        "file"_a, "allow_external"_a);
+    module.def(
+        "write",
+        [](const AttributedMesh& content, const std::filesystem::path& file) {
+            run([&] { write_attributed_mesh(content, file); });
+        },
+        "content"_a, "file"_a);
+    module.def(
+        "write_triangles",
+        [](const Mesh& mesh, const std::filesystem::path& file) { run([&] { write_mesh(mesh, file); }); },
+        "mesh"_a, "file"_a);
+}
+
+}  // namespace counterpart::python

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "call.hpp"
+#include "dictionary.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/assignment.hpp>
+#include <counterpart/match/match.hpp>
+#include <counterpart/match/nearest.hpp>
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace counterpart::python {
+namespace {
+
+using namespace nb::literals;
+
+nb::dict dictionary(const Count& count) {
+    return dictionary_of("log10", count.log10, "number", count.number, "is_lower_bound", count.is_lower_bound,
+                         "text", to_string(count));
+}
+
+nb::dict dictionary(ExactResult result) {
+    nb::list interchangeable;
+    for (const EqualComponents& equal : result.interchangeable)
+        interchangeable.append(dictionary_of("n_triangles", equal.n_triangles, "source", array(equal.source),
+                                             "target", array(equal.target)));
+    return dictionary_of(
+        "identical", result.identical, "difference", result.difference, "target_from_source",
+        array(result.target_from_source), "target_corner_from_source",
+        matrix_array(std::move(result.target_corner_from_source)), "n_components", result.n_components,
+        "interchangeable", interchangeable, "automorphisms", dictionary(result.automorphisms),
+        "mirror_automorphisms", dictionary(result.mirror_automorphisms), "reversed_triangles",
+        result.reversed_triangles, "winding_reversed", result.winding_reversed, "mirrored", result.mirrored,
+        "alternatives", arrays(std::move(result.alternatives)), "notices", result.notices);
+}
+
+nb::dict dictionary(MeshDifferences result) {
+    nb::list edits;
+    for (Edit& edit : result.edits)
+        edits.append(dictionary_of("sentence", edit.sentence, "source_triangles",
+                                   array(std::move(edit.source_triangles)), "target_triangles",
+                                   array(std::move(edit.target_triangles)), "source_vertices",
+                                   array(std::move(edit.source_vertices)), "target_vertices",
+                                   array(std::move(edit.target_vertices))));
+    return dictionary_of(
+        "target_from_source", array(result.target_from_source), "source_share", result.source_share,
+        "target_share", result.target_share, "uncertain", array(std::move(result.uncertain)),
+        "source_vertices", array(std::move(result.source_vertices)), "target_vertices",
+        array(std::move(result.target_vertices)), "source_triangles",
+        array(std::move(result.source_triangles)), "target_triangles",
+        array(std::move(result.target_triangles)), "edits", edits, "n_matched_triangles",
+        result.n_matched_triangles, "largest_region", result.largest_region, "winding_reversed",
+        result.winding_reversed, "is_ambiguous", result.is_ambiguous, "summary", result.summary);
+}
+
+nb::dict dictionary(FrontiersResult result) {
+    nb::list components;
+    for (const ComponentMatch& component : result.components)
+        components.append(dictionary_of("n_vertices", component.n_vertices, "n_frontiers",
+                                        component.n_frontiers, "source", component.source, "target",
+                                        component.target, "n_alike", component.n_alike, "n_interchangeable",
+                                        component.n_interchangeable));
+    return dictionary_of("target_from_source", array(result.target_from_source), "confidence",
+                         array(std::move(result.confidence)), "components", components,
+                         "n_decided_by_position", result.n_decided_by_position, "seconds",
+                         seconds_of(result.stages));
+}
+
+nb::dict dictionary(SpectralResult result) {
+    nb::list alternatives;
+    for (const SpectralAlternative& other : result.alternatives)
+        alternatives.append(dictionary_of("target_from_source", array(other.target_from_source), "score",
+                                          other.score, "description", other.description));
+    return dictionary_of("target_from_source", array(result.target_from_source), "source_from_target",
+                         array(result.source_from_target), "confidence", array(std::move(result.confidence)),
+                         "score", result.score, "margin", result.margin, "alternatives", alternatives,
+                         "warnings", result.warnings, "seconds", seconds_of(result.stages));
+}
+
+template <class Result>
+nb::object dictionary(std::optional<Result> result) {
+    return result ? nb::object(dictionary(*std::move(result))) : nb::none();
+}
+
+nb::dict dictionary(MatchResult result) {
+    return dictionary_of(
+        "target_from_source", array(result.target_from_source), "method", to_string(result.method), "reason",
+        result.reason, "confidence", array(std::move(result.confidence)), "n_filled", result.n_filled,
+        "warnings", result.warnings, "notices", result.notices, "seconds", seconds_of(result.stages), "exact",
+        dictionary(std::move(result.exact)), "differences", dictionary(std::move(result.differences)),
+        "frontiers", dictionary(std::move(result.frontiers)), "spectral",
+        dictionary(std::move(result.spectral)));
+}
+
+MatchMethod method_from_name(const std::string& name) {
+    if (name == "auto") return MatchMethod::automatic;
+    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::spectral,
+                                     MatchMethod::nearest, MatchMethod::assignment})
+        if (name == to_string(method)) return method;
+    throw InvalidInput("there is no method '" + name +
+                       "': auto, exact, frontiers, spectral, nearest or assignment");
+}
+
+Pairing pairing_from_name(const std::string& name) {
+    if (name == "closest") return Pairing::closest;
+    if (name == "mutual") return Pairing::mutual;
+    if (name == "optimal") return Pairing::optimal;
+    throw InvalidInput("there is no pairing '" + name + "': closest, mutual or optimal");
+}
+
+void bind_options(nb::module_& module) {
+    nb::class_<ExactOptions>(module, "ExactOptions")
+        .def(nb::init<>())
+        .def_rw("allow_mirror", &ExactOptions::allow_mirror)
+        .def_rw("weld_distance", &ExactOptions::weld_distance)
+        .def_rw("max_alternatives", &ExactOptions::max_alternatives)
+        .def_rw("n_threads", &ExactOptions::n_threads);
+    nb::class_<FrontiersOptions>(module, "FrontiersOptions")
+        .def(nb::init<>())
+        .def_rw("source_seed", &FrontiersOptions::source_seed)
+        .def_rw("target_seed", &FrontiersOptions::target_seed)
+        .def_rw("paper", &FrontiersOptions::paper)
+        .def_rw("vertex_hashes", &FrontiersOptions::vertex_hashes)
+        .def_rw("edge_splits", &FrontiersOptions::edge_splits)
+        .def_prop_rw(
+            "pairing", [](const FrontiersOptions& options) { return static_cast<int>(options.pairing); },
+            [](FrontiersOptions& options, const std::string& name) {
+                options.pairing = pairing_from_name(name);
+            })
+        .def_rw("deformation_threshold", &FrontiersOptions::deformation_threshold)
+        .def_rw("edge_penalty", &FrontiersOptions::edge_penalty)
+        .def_rw("n_threads", &FrontiersOptions::n_threads);
+    nb::class_<SpectralShapeOptions>(module, "SpectralShapeOptions")
+        .def(nb::init<>())
+        .def_rw("basis_size", &SpectralShapeOptions::basis_size)
+        .def_rw("n_samples", &SpectralShapeOptions::n_samples)
+        .def_rw("seed", &SpectralShapeOptions::seed)
+        .def_rw("n_threads", &SpectralShapeOptions::n_threads);
+    nb::class_<SpectralOptions>(module, "SpectralOptions")
+        .def(nb::init<>())
+        .def_prop_rw(
+            "landmarks", [](const SpectralOptions& options) { return options.landmarks.size(); },
+            [](SpectralOptions& options, const PairArray& pairs) { options.landmarks = pairs_of(pairs); })
+        .def_rw("symmetric", &SpectralOptions::symmetric)
+        .def_rw("n_alternatives", &SpectralOptions::n_alternatives)
+        .def_rw("n_threads", &SpectralOptions::n_threads);
+    nb::class_<MatchOptions>(module, "MatchOptions")
+        .def(nb::init<>())
+        .def_prop_rw(
+            "method", [](const MatchOptions& options) { return to_string(options.method); },
+            [](MatchOptions& options, const std::string& name) { options.method = method_from_name(name); })
+        .def_rw("min_shared", &MatchOptions::min_shared)
+        .def_rw("exact", &MatchOptions::exact)
+        .def_rw("frontiers", &MatchOptions::frontiers)
+        .def_rw("spectral", &MatchOptions::spectral)
+        .def_rw("spectral_shape", &MatchOptions::spectral_shape)
+        .def_rw("n_threads", &MatchOptions::n_threads);
+}
+
+}  // namespace
+
+void bind_matching(nb::module_& module) {
+    bind_options(module);
+    module.def(
+        "match",
+        [](const Mesh& source, const Mesh& target, MatchOptions options, const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match(source, target, options);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+    module.def(
+        "match_exact",
+        [](const Mesh& source, const Mesh& target, ExactOptions options, const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match_exact(source, target, options);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+    module.def(
+        "find_differences",
+        [](const Mesh& source, const Mesh& target, int n_threads, const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                return find_differences(source, target,
+                                        {.n_threads = n_threads, .progress = std::move(report)});
+            }));
+        },
+        "source"_a, "target"_a, "n_threads"_a, "progress"_a.none());
+    module.def(
+        "match_frontiers",
+        [](const Mesh& source, const Mesh& target, FrontiersOptions options, const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match_frontiers(source, target, options);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+
+    nb::class_<SpectralShape>(module, "SpectralShape")
+        .def(
+            "__init__",
+            [](SpectralShape* self, const Mesh& mesh, const SpectralShapeOptions& options) {
+                run([&] { new (self) SpectralShape(mesh, options); });
+            },
+            "mesh"_a, "options"_a);
+    module.def(
+        "match_spectral",
+        [](const SpectralShape& source, const SpectralShape& target, SpectralOptions options,
+           const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match_spectral(source, target, options);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+    module.def(
+        "match_spectral",
+        [](const Mesh& source, const Mesh& target, SpectralOptions options, const SpectralShapeOptions& shape,
+           const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match_spectral(source, target, options, shape);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "shape"_a, "progress"_a.none());
+    module.def(
+        "match_assignment",
+        [](const Mesh& source, const Mesh& target, Index max_vertices, const nb::object& progress) {
+            const AssignmentResult result = run(progress, [&](Progress report) {
+                return match_assignment(source, target,
+                                        {.max_vertices = max_vertices, .progress = std::move(report)});
+            });
+            return dictionary_of("target_from_source", array(result.target_from_source), "cost", result.cost);
+        },
+        "source"_a, "target"_a, "max_vertices"_a, "progress"_a.none());
+    module.def(
+        "match_nearest",
+        [](const Mesh& source, const Mesh& target, bool similarity, int n_threads,
+           const nb::object& progress) {
+            return array(run(progress, [&](Progress report) {
+                             return match_nearest(source, target,
+                                                  {.alignment = similarity ? NearestAlignment::similarity
+                                                                           : NearestAlignment::centroids,
+                                                   .n_threads = n_threads,
+                                                   .progress = std::move(report)});
+                         }).target_from_source);
+        },
+        "source"_a, "target"_a, "similarity"_a, "n_threads"_a, "progress"_a.none());
+}
+
+}  // namespace counterpart::python

@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+import os
+import shutil
+
+import counterpart
+import numpy as np
+import pytest
+
+
+@pytest.fixture(scope="session")
+def body():
+    return counterpart.make_body(0)
+
+
+@pytest.fixture(scope="session")
+def pair(body):
+    """The body, bent and shuffled, and the true map."""
+    other, truth = counterpart.shuffle(counterpart.deform(body, bend=0.5), 3)
+    return body, other, truth
+
+
+@pytest.fixture(scope="session")
+def scans():
+    """Two poses in different triangulations, and the true map of the source's vertices."""
+    source = counterpart.make_body(0)
+    finer = counterpart.subdivide(counterpart.deform(source, bend=0.4))
+    target, moved = counterpart.shuffle(finer, 5)
+    return source, target, np.asarray(moved[: source.n_vertices])
+
+
+@pytest.fixture(scope="session")
+def program():
+    """The command-line program: COUNTERPART, or the one that the wheel installs."""
+    found = os.environ.get("COUNTERPART") or shutil.which("counterpart")
+    if not found:
+        pytest.skip("needs the program: set COUNTERPART")
+    return found

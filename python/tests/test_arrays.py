@@ -1,0 +1,151 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Arrays of every type and layout: right, or a clear exception; never a crash."""
+
+import contextlib
+
+import counterpart
+import numpy as np
+import pytest
+from counterpart import InvalidInput
+
+V, T = counterpart.make_icosphere(1)
+
+
+def as_is(mesh):
+    return counterpart.inspect(mesh)
+
+
+@pytest.mark.parametrize("dtype", ["f8", "f4", "f2", ">f8", ">f4", "g", "i1", "i8", "u2", ">i4"])
+def test_vertices_of_every_real_type(dtype):
+    vertices = np.round(10 * V) if np.dtype(dtype).kind in "iu" else V
+    vertices = np.abs(vertices) if np.dtype(dtype).kind == "u" else vertices
+    report = as_is((vertices.astype(dtype), T))
+    assert report["area"] == pytest.approx(as_is((vertices.astype(dtype).astype("f8"), T))["area"], rel=1e-12)
+
+
+@pytest.mark.parametrize("dtype", ["i4", "i8", "u4", "u8", "i2", "u1", ">i4", ">i8"])
+def test_triangles_of_every_integer_type(dtype):
+    assert as_is((V, T.astype(dtype)))["is_closed"]
+
+
+@pytest.mark.parametrize("dtype", ["c16", "?", "O", "S4", "U4", "M8[s]", "m8[s]"])
+def test_vertices_of_other_types_are_refused(dtype):
+    with pytest.raises(InvalidInput, match="vertices"):
+        as_is((np.zeros((4, 3), dtype), [[0, 1, 2]]))
+
+
+@pytest.mark.parametrize("dtype", ["f8", "f4", "c16", "?", "O", "U4"])
+def test_triangles_of_other_types_are_refused(dtype):
+    with pytest.raises(InvalidInput, match="triangles"):
+        as_is((V, np.zeros((4, 3), dtype)))
+
+
+@pytest.mark.parametrize(
+    "layout",
+    [
+        np.asfortranarray,
+        lambda a: np.repeat(a, 2, axis=0)[::2],
+        lambda a: np.concatenate([a, a], axis=1)[:, :3],
+        lambda a: a[::-1][::-1],
+        lambda a: np.ma.array(a),
+        lambda a: a.tolist(),
+        lambda a: memoryview(np.ascontiguousarray(a)),
+        lambda a: np.frombuffer(b"x" + a.tobytes(), np.uint8)[1:].view(a.dtype).reshape(a.shape),
+    ],
+)
+def test_every_layout(layout):
+    assert as_is((layout(V), layout(T)))["area"] == as_is((V, T))["area"]
+
+
+def test_read_only_arrays():
+    vertices, triangles = V.copy(), T.copy()
+    vertices.setflags(write=False)
+    triangles.setflags(write=False)
+    assert counterpart.match((vertices, triangles), (V, T)).method == "exact"
+
+
+@pytest.mark.parametrize(
+    ("vertices", "triangles", "words"),
+    [
+        (np.empty((0, 3)), np.empty((0, 3), int), "no vertices"),
+        (V, np.empty((0, 3), int), "no faces"),
+        (V, [], "triangles must be n x 3"),
+        (V[:, :2], T, "vertices must be n x 3"),
+        (V.ravel(), T, "vertices must be n x 3"),
+        (V[None], T, "vertices must be n x 3"),
+        (V, T[:, :2], "triangles must be n x 3"),
+        (V, np.c_[T, T[:, 0]], "triangles must be n x 3"),
+        (5, T, "a single value"),
+        ([[0, 0], [1]], T, "not an array"),
+        (None, T, "vertices"),
+        ("abc", T, "vertices"),
+    ],
+)
+def test_wrong_shapes(vertices, triangles, words):
+    with pytest.raises(InvalidInput, match=words):
+        as_is((vertices, triangles))
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, 1e400])
+def test_coordinates_that_are_not_finite(value):
+    vertices = V.copy()
+    vertices[3, 1] = value
+    with pytest.raises(InvalidInput, match="3"):
+        counterpart.match((vertices, T), (V, T))
+
+
+@pytest.mark.parametrize("value", [-1, len(V), 2**31 - 1, -(2**31)])
+def test_indices_out_of_range(value):
+    triangles = T.copy()
+    triangles[7, 2] = value
+    with pytest.raises(InvalidInput, match="7"):
+        counterpart.match((V, T), (V, triangles))
+
+
+@pytest.mark.parametrize("value", [2**31, -(2**31) - 1, 2**40, 2**63 - 1, 2**32])
+def test_indices_beyond_32_bits_do_not_wrap(value):
+    triangles = T.astype(np.int64)
+    triangles[7, 2] = value
+    with pytest.raises(InvalidInput, match=str(value)):
+        as_is((V, triangles))
+
+
+@pytest.mark.parametrize("mesh", [None, 5, object(), (V,), (V, T, V), {}, np.zeros((3, 3)), []])
+def test_what_is_no_mesh(mesh):
+    with pytest.raises(InvalidInput):
+        counterpart.match(mesh, (V, T))
+
+
+@pytest.mark.parametrize(
+    "image", [np.zeros(3, int), np.full(len(V), len(V)), np.full(len(V), -2), np.zeros(len(V)), [[0]], None, 2**40]
+)
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda image: counterpart.evaluate((V, T), (V, T), image, np.arange(len(V))),
+        lambda image: counterpart.map_quality((V, T), (V, T), image),
+        lambda image: counterpart.project_map((V, T), (V, T), image),
+        lambda image: counterpart.render((V, T), (V, T), image, size=(64, 64)),
+        lambda image: counterpart.view((V, T), (V, T), image),
+    ],
+)
+def test_maps_that_do_not_fit(use, image):
+    with pytest.raises(InvalidInput):
+        use(image)
+
+
+def test_random_calls():
+    """Arrays at random: a result or an exception, and the inputs as they were."""
+    random = np.random.default_rng(1)
+    for _ in range(300):
+        vertices = random.normal(size=(random.integers(0, 12), 3)).astype(random.choice(["f8", "f4"]))
+        triangles = random.integers(-1, 13, (random.integers(0, 12), 3)).astype(random.choice(["i4", "i8"]))
+        if random.random() < 0.2 and vertices.size:
+            vertices[random.integers(len(vertices))] = random.choice([np.nan, np.inf, 1e30, 0])
+        before = vertices.copy(), triangles.copy()
+        for call in (counterpart.inspect, lambda mesh: counterpart.match(mesh, mesh, n_threads=1)):
+            with contextlib.suppress(ValueError, ArithmeticError):
+                call((vertices, triangles))
+        np.testing.assert_array_equal(vertices, before[0])
+        np.testing.assert_array_equal(triangles, before[1])

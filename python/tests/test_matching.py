@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+import os
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import counterpart
+import numpy as np
+import pytest
+
+
+def test_exact(pair):
+    source, target, truth = pair
+    result = counterpart.match_exact(source, target)
+    assert result.identical and result.automorphisms.number == 1
+    np.testing.assert_array_equal(result.target_from_source, truth)
+    assert counterpart.match(source, target).exact.identical
+    assert "identical=True" in repr(result) and f"int32[{source.n_vertices}]" in repr(result)
+
+
+def test_different_connectivity_is_a_result(pair):
+    source, target, _ = pair
+    result = counterpart.match_exact(source, (target.vertices, target.triangles[1:]))
+    assert not result.identical and result.difference
+
+
+def test_differences(pair):
+    source, target, truth = pair
+    found = counterpart.find_differences(source, (target.vertices, target.triangles[1:]))
+    assert len(found.source_triangles) == 1 and len(found.edits) == 1 and found.edits[0].sentence
+    known = found.target_from_source >= 0
+    np.testing.assert_array_equal(found.target_from_source[known], truth[known])
+    assert counterpart.match(source, (target.vertices, target.triangles[1:])).differences is not None
+
+
+def test_frontiers(pair):
+    source, target, truth = pair
+    result = counterpart.match_frontiers(source, target)
+    np.testing.assert_array_equal(result.target_from_source, truth)
+    assert counterpart.match_frontiers(source, target, paper=True, source_seed=0, target_seed=int(truth[0])).components
+
+
+def test_spectral(scans):
+    source, target, truth = scans
+    result = counterpart.match(source, target)
+    assert result.method == "spectral" and result.spectral.alternatives
+    assert counterpart.evaluate(source, target, result, truth).mean_error < 6
+
+
+def test_prepared_shapes(scans):
+    source, target, _ = scans
+    quick = {"basis_size": 30, "n_samples": 200}
+    expected = counterpart.match_spectral(source, target, **quick).target_from_source
+    shape = counterpart.SpectralShape(source, **quick)
+    mixed = counterpart.match_spectral(shape, target, **quick)
+    np.testing.assert_array_equal(mixed.target_from_source, expected)
+    both = counterpart.match_spectral(shape, counterpart.SpectralShape(target, **quick))
+    np.testing.assert_array_equal(both.target_from_source, expected)
+
+
+def test_landmarks(scans):
+    source, target, truth = scans
+    pairs = [(v, truth[v]) for v in range(0, source.n_vertices, source.n_vertices // 8)]
+    assert (
+        counterpart.evaluate(source, target, counterpart.match(source, target, landmarks=pairs), truth).mean_error < 6
+    )
+    with pytest.raises(counterpart.InvalidInput):
+        counterpart.match(source, target, landmarks=[(0, 10**6), (1, 1), (2, 2)])
+
+
+@pytest.mark.parametrize("method", ["nearest", "assignment"])
+def test_other_methods(method):
+    mesh = counterpart.make_icosphere(1)
+    np.testing.assert_array_equal(counterpart.match(mesh, mesh, method).target_from_source, np.arange(42))
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"method": "magic"}, "magic"),
+        ({"min_shared": 2}, "shared|share"),
+        ({"weld_distance": -1}, "weld_distance"),
+        ({"weld_distance": float("nan")}, "weld_distance"),
+        ({"method": "spectral", "basis_size": 3}, "basis"),
+        ({"method": "spectral", "n_samples": -3}, "samples"),
+        ({"method": "spectral", "n_alternatives": 11}, "alternatives"),
+    ],
+)
+def test_options_out_of_range(pair, options, words):
+    with pytest.raises(ValueError, match=words):
+        counterpart.match(*pair[:2], **options)
+
+
+def test_exceptions_are_those_of_python(tmp_path):
+    assert issubclass(counterpart.UnsuitableMesh, counterpart.InvalidInput)
+    assert counterpart.InvalidInput.__module__ == "counterpart" and counterpart.InvalidInput.__doc__
+    with pytest.raises(counterpart.UnsuitableMesh):
+        counterpart.match_spectral(counterpart.make_grid(1, 1), counterpart.make_grid(1, 1))
+    with pytest.raises(OSError, match=r"none\.obj"):
+        counterpart.match(tmp_path / "none.obj", tmp_path / "none.obj")
+    with pytest.raises(counterpart.IoError):
+        counterpart.write(counterpart.make_grid(), tmp_path / "none" / "a.obj")
+
+
+def test_progress(scans):
+    seen = []
+    counterpart.match_spectral(*scans[:2], basis_size=30, n_samples=200, progress=seen.append)
+    assert seen and sorted(seen) == seen and seen[0] >= 0 and seen[-1] <= 1
+
+
+def test_cancel(scans):
+    with pytest.raises(counterpart.Canceled):
+        counterpart.match_spectral(*scans[:2], progress=lambda fraction: False)
+
+
+def test_exceptions_of_the_callback_are_passed_on(scans):
+    def fail(fraction):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError, match="mine"):
+        counterpart.match_spectral(*scans[:2], progress=fail)
+
+
+def test_bar(pair, capsys):
+    counterpart.match(*pair[:2], progress=True)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="signals")
+def test_interrupt():
+    mesh = counterpart.make_body(2)
+    timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
+    with pytest.raises(KeyboardInterrupt):
+        timer.start()
+        for _ in range(100):
+            counterpart.match_spectral(mesh, mesh)
+
+
+def test_eight_threads_give_what_one_gives(scans):
+    source, target, _ = scans
+    quick = {"n_threads": 1, "basis_size": 30, "n_samples": 200}
+    expected = counterpart.match(source, target, **quick).target_from_source
+    with ThreadPoolExecutor(8) as pool:
+        results = list(pool.map(lambda _: counterpart.match(source, target, **quick), range(8)))
+    for result in results:
+        np.testing.assert_array_equal(result.target_from_source, expected)
+
+
+def test_order_is_kept():
+    """Isolated and duplicate vertices and degenerate triangles stay where they are."""
+    vertices, triangles = counterpart.make_icosphere(1)
+    vertices = np.concatenate([[[5, 5, 5]], vertices, vertices[:1]])
+    triangles = np.concatenate([triangles + 1, [[1, 1, 2]]])
+    result = counterpart.match((vertices, triangles), (vertices, triangles))
+    assert len(result.target_from_source) == len(vertices) == len(result.confidence)

@@ -1,0 +1,109 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Meshes of other packages, by what they look like; the packages themselves where they are installed."""
+
+from types import SimpleNamespace
+
+import counterpart
+import numpy as np
+import pytest
+
+V, T = counterpart.make_icosphere(1)
+
+
+@pytest.mark.parametrize(
+    "mesh",
+    [
+        SimpleNamespace(vertices=V, faces=T.astype(np.int64)),
+        SimpleNamespace(vertices=V, triangles=T),
+        SimpleNamespace(points=V, is_all_triangles=True, faces=np.c_[np.full(len(T), 3), T].ravel()),
+        SimpleNamespace(points=V, cells_dict={"triangle": T, "line": T[:, :2]}),
+        SimpleNamespace(vertlist=V, facelist=T),
+        [V, T],
+        counterpart.Mesh(V, T),
+    ],
+)
+def test_looks_like_a_mesh(mesh):
+    np.testing.assert_array_equal(counterpart.match(mesh, (V, T)).target_from_source, np.arange(len(V)))
+
+
+@pytest.mark.parametrize(
+    "mesh",
+    [
+        SimpleNamespace(points=V, cells_dict={"triangle": T, "quad": np.zeros((1, 4), int)}),
+        SimpleNamespace(points=V, cells_dict={"tetra": np.zeros((1, 4), int)}),
+        SimpleNamespace(points=V, is_all_triangles=False, faces=T),
+    ],
+)
+def test_nothing_is_dropped(mesh):
+    with pytest.raises(counterpart.InvalidInput, match="only triangles"):
+        counterpart.inspect(mesh)
+
+
+def test_trimesh():
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.Trimesh(V, T, process=False)
+    assert counterpart.match(mesh, mesh).method == "exact"
+
+
+def test_meshio(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    mesh = meshio.Mesh(V, [("triangle", T)])
+    assert counterpart.inspect(mesh)["is_closed"]
+
+
+def test_pyvista():
+    pyvista = pytest.importorskip("pyvista")
+    assert counterpart.inspect(pyvista.Sphere())["n_boundary_edges"] == 0
+
+
+def test_open3d():
+    open3d = pytest.importorskip("open3d")
+    mesh = open3d.geometry.TriangleMesh.create_sphere()
+    assert counterpart.inspect(mesh)["is_closed"]
+
+
+@pytest.mark.parametrize("name", ["a.obj", "a.off", "a.ply", "a.glb"])
+def test_paths(tmp_path, name):
+    file = tmp_path / name
+    counterpart.write((V, T), file)
+    for path in (file, str(file)):
+        assert counterpart.read(path).n_vertices == len(V)
+        assert counterpart.match(path, (V, T)).method == "exact"
+
+
+def test_attributes(tmp_path):
+    corners = T.copy()
+    uv = np.random.default_rng(0).random((len(V), 2))
+    mesh = counterpart.Mesh(
+        V,
+        T,
+        normals=(V, corners),
+        texture_coordinates=[(uv, corners)],
+        colors=[(np.full((len(V), 3), 0.5), corners)],
+        skin=(np.zeros((len(V), 1), int), np.ones((len(V), 1))),
+        morphs={"smile": 0.1 * V},
+    )
+    assert repr(mesh) == "Mesh(42 vertices, 80 triangles, normals, texture coordinates, colors, skin, 1 morph targets)"
+    np.testing.assert_array_equal(mesh.texture_coordinates[0][0], uv)
+    np.testing.assert_array_equal(mesh.morphs["smile"], 0.1 * V)
+    target, truth = counterpart.shuffle(mesh)
+    result = counterpart.transfer(mesh, target, truth)
+    values, rows = result.mesh.texture_coordinates[0]
+    np.testing.assert_allclose(values[rows[0]], uv[np.argsort(truth)[target.triangles[0]]], atol=1e-12)
+    np.testing.assert_allclose(result.mesh.morphs["smile"][truth], 0.1 * V, atol=1e-9)
+    only = counterpart.transfer(mesh, target, truth, what=["skin"]).mesh
+    assert only.skin is not None and not only.texture_coordinates
+    without_skeleton = counterpart.transfer(mesh, target, truth, what=["texture_coordinates", "morphs"]).mesh
+    counterpart.write(without_skeleton, tmp_path / "a.glb")
+    assert list(counterpart.read(tmp_path / "a.glb").morphs) == ["smile"]
+    with pytest.raises(counterpart.InvalidInput):
+        counterpart.transfer(mesh, target, truth, what=["hair"])
+    with pytest.raises(counterpart.InvalidInput):
+        counterpart.transfer(counterpart.Mesh(V, T, skin=(np.zeros((3, 1), int), np.ones((3, 1)))), target, truth)
+
+
+def test_arrays_outlive_their_mesh(tmp_path):
+    counterpart.write((V, T), tmp_path / "a.ply")
+    vertices = counterpart.read(tmp_path / "a.ply").vertices
+    np.testing.assert_array_equal(vertices, V)

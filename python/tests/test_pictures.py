@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+import counterpart
+import numpy as np
+import pytest
+
+SIZE = (96, 64)
+
+
+def test_every_figure(pair, tmp_path):
+    source, target, truth = pair
+    for show in ("colors", "checker", "lines"):
+        picture = counterpart.render(source, target, truth, show=show, size=SIZE)
+        assert picture.shape == (64, 96, 3) and picture.dtype == np.uint8 and len(np.unique(picture)) > 20
+    picture.save(tmp_path / "a.png")
+    assert (tmp_path / "a.png").read_bytes() == picture._repr_png_()
+    assert counterpart.render(source, size=SIZE).shape == (64, 96, 3)
+
+
+def test_colors_and_values(body):
+    red = counterpart.render(body, colors=np.tile([1, 0, 0], (body.n_vertices, 1)), size=SIZE)
+    assert red[..., 0].astype(int).sum() > red[..., 1].astype(int).sum()
+    values = counterpart.distances(body, 0)[0]
+    assert counterpart.render(body, values=values, size=SIZE).shape == (64, 96, 3)
+    for wrong in ({"colors": np.zeros((3, 3))}, {"values": np.zeros(3)}):
+        with pytest.raises(counterpart.InvalidInput):
+            counterpart.render(body, **wrong)
+
+
+@pytest.mark.parametrize(
+    "options", [{"size": (0, 5)}, {"size": (99999, 5)}, {"view": "sideways"}, {"up": "w"}, {"show": "magic"}]
+)
+def test_options_out_of_range(pair, options):
+    with pytest.raises(counterpart.InvalidInput):
+        counterpart.render(*pair, **{"size": SIZE, **options})
+
+
+def test_view(pair, tmp_path):
+    source, target, truth = pair
+    page = counterpart.view(source, target, {"true": truth, "identity": np.arange(len(truth))}, truth=truth)
+    assert "<html" in page.html and page._repr_html_().startswith("<iframe srcdoc=")
+    assert "<script" not in page._repr_html_()
+    page.save(tmp_path / "page.html")
+    assert (tmp_path / "page.html").read_text() == page.html
+    with pytest.raises(counterpart.InvalidInput, match="up axis"):
+        counterpart.view(source, target, truth, up="w")
