@@ -67,12 +67,12 @@ Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const Surface
 }
 
 void run(const AlignCommand& command) {
-    if (command.map.empty() && !command.use_icp)
-        throw InvalidInput("give --map (the pairs to align by), --icp, or both");
     TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     SurfaceMap map;
-    if (!command.map.empty()) map = load_surface_map(command.map, source, target, command.common);
+    if (!command.map.empty() || !command.use_icp)
+        map = surface_map_or_match(command.map, {source, target, command.source, command.target},
+                                   command.common);
     const Fit fit = command.use_icp ? by_icp(source, target, map, command)
                                     : from_map(source, target, map, models.at(command.model));
     source.vertices = fit.transform(source.vertices);
@@ -98,15 +98,19 @@ void run(const AlignCommand& command) {
 void add_align(CLI::App& program) {
     auto command = std::make_shared<AlignCommand>();
     CLI::App* align = program.add_subcommand("align", "Align SOURCE with TARGET using a map, ICP, or both");
-    align->add_option("SOURCE", command->source, "Mesh file")->required();
-    align->add_option("TARGET", command->target, "Mesh file")->required();
-    align->add_option("-o,--output", command->output, "Mesh file for the aligned SOURCE")->required();
-    align->add_option("--map", command->map, "Map from SOURCE to TARGET whose pairs are aligned")
+    add_input(*align, command->common.files, "SOURCE", command->source, "Mesh file")->required();
+    add_input(*align, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_output(*align, command->common.files, "-o,--output", command->output, Content::mesh,
+               "Mesh file for the aligned SOURCE")
+        ->required();
+    add_input(
+        *align, command->common.files, "--map", command->map,
+        "Map from SOURCE to TARGET whose pairs are aligned. Default: match them first, unless --icp is given")
         ->type_name("FILE");
     align
         ->add_option("--model", command->model,
                      "rigid, similarity (rigid and uniform scale) or affine; never a reflection")
-        ->check(CLI::IsMember({"rigid", "similarity", "affine"}))
+        ->check(one_of({"rigid", "similarity", "affine"}))
         ->capture_default_str();
     align->add_flag(
         "--icp", command->use_icp,
@@ -114,20 +118,20 @@ void add_align(CLI::App& program) {
     align
         ->add_option("--iterations", command->icp.max_iterations,
                      "Maximum number of ICP iterations; 1 to 10000")
-        ->check(CLI::Range(1, 10000))
+        ->check(whole_number(1, 10000))
         ->capture_default_str();
     align
         ->add_option("--trim", command->icp.trim,
                      "Fraction of pairs, the worst ones, that ICP ignores; 0 to 0.9")
-        ->check(CLI::Range(0.0, 0.9))
+        ->check(number(0.0, 0.9))
         ->capture_default_str();
     align
         ->add_option("--known-weight", command->icp.known_weight,
                      "Weight of the map's pairs relative to the closest-point pairs in ICP; at least 0")
-        ->check(CLI::NonNegativeNumber)
+        ->check(non_negative())
         ->capture_default_str();
     add_common_options(*align, command->common);
-    align->callback([command] { run(*command); });
+    on_run(*align, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -54,17 +54,32 @@ class Bar {
 void add_common_options(CLI::App& command, CommonOptions& options) {
     command
         .add_option("--threads", options.threads, "Number of threads; 0 = all. Does not change the result")
-        ->check(CLI::Range(0, 1024))
+        ->check(whole_number(0, 1024))
         ->capture_default_str();
     command.add_flag("--allow-external", options.read.allow_external,
                      "Let glTF files refer to files outside their own folder; only for files you trust");
     command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
-    command.add_option("--report", options.report, "Write results and timings to this JSON file")
-        ->type_name("FILE");
+    add_output(command, options.files, "--report", options.report, Content::report,
+               "Write results and timings to this JSON file");
 }
 
 void say(const CommonOptions& options, const std::string& message) {
     if (!options.quiet) std::fputs((message + "\n").c_str(), stderr);
+}
+
+void print(const CommonOptions& options, const std::string& text) {
+    if (!options.quiet) print(text);
+}
+
+void warn(const std::string& message, const std::filesystem::path& source,
+          const std::filesystem::path& target) {
+    const auto side = [&](const std::string& name, const std::filesystem::path& file) {
+        return message.starts_with(name) ? file.string() + message.substr(name.size() - 2) : std::string();
+    };
+    const std::string about_source = side("source: ", source), about_target = side("target: ", target);
+    if (!about_source.empty()) return warn(about_source);
+    if (!about_target.empty()) return warn(about_target);
+    warn(fmt::format("{} -> {}: {}", source.string(), target.string(), message));
 }
 
 void warn(const std::string& message) { std::fputs(("warning: " + message + "\n").c_str(), stderr); }

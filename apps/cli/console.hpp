@@ -5,6 +5,9 @@
 // report.
 #pragma once
 
+#include "checks.hpp"
+#include "files.hpp"
+
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
@@ -25,13 +28,29 @@ struct CommonOptions {
     bool quiet = false;
     ReadOptions read;
     std::filesystem::path report;
+    FileArguments files;  // that the command reads and writes
 };
 void add_common_options(CLI::App& command, CommonOptions& options);
 
+/// Runs `run` when the command is given, after its files were checked.
+template <class Run>
+void on_run(CLI::App& command, CommonOptions& options, Run run) {
+    command.callback([&options, run] {
+        check_files(options.files);
+        run();
+    });
+}
+
 /// One line on stderr, unless --quiet.
 void say(const CommonOptions& options, const std::string& message);
+/// On standard output, unless --quiet: what a command is asked for that writes no file.
+void print(const CommonOptions& options, const std::string& text);
 /// "warning: ..." on stderr, also with --quiet.
 void warn(const std::string& message);
+/// A warning about two meshes, with the names of their files in place of "source" and "target" before a
+/// colon.
+void warn(const std::string& message, const std::filesystem::path& source,
+          const std::filesystem::path& target);
 
 /// Reads a mesh and prints its notices, each prefixed with the file's name.
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);

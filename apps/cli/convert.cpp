@@ -45,15 +45,20 @@ void add_convert(CLI::App& program) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App* convert =
         program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
-    convert->add_option("IN", command->input, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
-    convert->add_option("OUT", command->output, "Mesh file; format from the file extension")->required();
+    add_input(*convert, command->common.files, "IN", command->input,
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
+    add_output(*convert, command->common.files, "OUT", command->output, Content::mesh,
+               "Mesh file; format from the file extension")
+        ->required();
     convert
-        ->add_option(
-            "--weld", command->weld_distance,
-            "Merge vertices up to this far apart, in mesh units; 0 = only coincident ones. Default: off")
-        ->check(CLI::NonNegativeNumber);
+        ->add_option("--weld", command->weld_distance,
+                     "Merge vertices up to this far apart, in mesh units; alone: 0, only coincident ones. "
+                     "Default: off")
+        ->type_name("[LENGTH]")
+        ->check(non_negative());
     add_common_options(*convert, command->common);
-    convert->callback([command] { run(*command); });
+    on_run(*convert, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

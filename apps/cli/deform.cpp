@@ -65,41 +65,46 @@ void run(const DeformCommand& command) {
 void add_deform(CLI::App& program) {
     auto command = std::make_shared<DeformCommand>();
     CLI::App* deform = program.add_subcommand("deform", "Deform a mesh to create test data");
-    deform->add_option("IN", command->input, "Mesh file, or the word 'body' for a built-in figure")
+    add_input(*deform, command->common.files, "IN", command->input,
+              "Mesh file, or the word 'body' for a built-in figure")
         ->required();
-    deform->add_option("OUT", command->output, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
+    add_output(*deform, command->common.files, "OUT", command->output, Content::mesh,
+               "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
     deform
         ->add_option("--bend", command->bend_degrees,
                      "Bend along the longest axis, in degrees from end to end; -360 to 360")
-        ->check(CLI::Range(-360.0, 360.0))
+        ->check(number(-360.0, 360.0))
         ->capture_default_str();
     deform
         ->add_option("--twist", command->twist_degrees,
                      "Twist about the longest axis, in degrees from end to end; -360 to 360")
-        ->check(CLI::Range(-360.0, 360.0))
+        ->check(number(-360.0, 360.0))
         ->capture_default_str();
     deform
         ->add_option("--warp", command->options.warp,
                      "Size of a smooth random displacement, as a fraction of the mesh's length; 0 to 0.5")
-        ->check(CLI::Range(0.0, 0.5))
+        ->check(number(0.0, 0.5))
         ->capture_default_str();
-    deform->add_option("--seed", command->options.seed, "Random seed for --warp and --move; at least 0")
+    deform->add_option("--seed", command->options.seed, "Random seed for --warp and --move")
+        ->check(whole_number(0))
         ->capture_default_str();
     deform
         ->add_option("--subdivisions", command->body.subdivisions,
                      "Subdivisions of the built-in figure; each quadruples its vertices; 0 to 7")
-        ->check(CLI::Range(0, 7))
+        ->check(whole_number(0, 7))
         ->capture_default_str();
     deform->add_flag("--move", command->move,
                      "Apply a random rotation, translation, and scale from 0.5 to 2");
-    deform->add_option("--shuffle", command->shuffle_seed,
-                       "Shuffle vertices and triangles with this random seed, at least 1. Default: off");
     deform
-        ->add_option("--truth", command->truth,
-                     "Write the true map to this file: line i = new index of vertex i")
+        ->add_option("--shuffle", command->shuffle_seed,
+                     "Shuffle vertices and triangles with this random seed. Default: off")
+        ->check(whole_number(1));
+    add_output(*deform, command->common.files, "--truth", command->truth, Content::map,
+               "Write the true map to this file: line i = new index of vertex i")
         ->type_name("FILE");
     add_common_options(*deform, command->common);
-    deform->callback([command] { run(*command); });
+    on_run(*deform, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

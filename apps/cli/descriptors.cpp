@@ -47,20 +47,21 @@ void run(const DescriptorsCommand& command) {
 void add_descriptors(CLI::App& program) {
     auto command = std::make_shared<DescriptorsCommand>();
     CLI::App* descriptors = program.add_subcommand("descriptors", "Compute per-vertex descriptors of a mesh");
-    descriptors->add_option("MESH", command->mesh, "Mesh file")->required();
-    descriptors->add_option("-o,--output", command->output, "NumPy file (.npy): float64, vertices x columns")
+    add_input(*descriptors, command->common.files, "MESH", command->mesh, "Mesh file")->required();
+    add_output(*descriptors, command->common.files, "-o,--output", command->output, Content::matrix,
+               "NumPy file (.npy): float64, vertices x columns")
         ->required();
     descriptors
         ->add_option("--kind", command->kind, "wks (wave kernel), hks (heat kernel) or curvature (mean)")
-        ->check(CLI::IsMember({"wks", "hks", "curvature"}))
+        ->check(one_of({"wks", "hks", "curvature"}))
         ->capture_default_str();
     descriptors
         ->add_option("--columns", command->columns,
                      "Number of energies (wks) or times (hks); curvature has one column")
-        ->check(CLI::Range(2, 1000))
+        ->check(whole_number(2, 1000))
         ->capture_default_str();
     add_common_options(*descriptors, command->common);
-    descriptors->callback([command] { run(*command); });
+    on_run(*descriptors, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -81,18 +81,18 @@ void add_distances(CLI::App& program) {
     auto command = std::make_shared<DistancesCommand>();
     CLI::App* distances =
         program.add_subcommand("distances", "Write geodesic distances between vertices of MESH");
-    distances->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+    add_input(*distances, command->common.files, "MESH", command->mesh,
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
-    distances
-        ->add_option("-o,--output", command->output,
-                     "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")
+    add_output(*distances, command->common.files, "-o,--output", command->output, Content::matrix,
+               "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")
         ->required();
     auto* all = distances->add_flag_callback(
         "--all", [] {}, "All pairs, by shortest paths (the default)");
     auto* bases = distances
                       ->add_option("--base-vertices", command->n_base_vertices,
                                    "All pairs, approximated from this many farthest-point samples")
-                      ->check(CLI::Range(1, 1 << 30))
+                      ->check(whole_number(1, 1 << 30))
                       ->excludes(all);
     distances->add_option("--sources", command->sources, "Only distances from these vertices, e.g. 0,17,42")
         ->delimiter(',')
@@ -101,10 +101,10 @@ void add_distances(CLI::App& program) {
     distances->add_flag("--plain-edges", command->plain_edges,
                         "Measure along edges only, without shortcuts across them (about 15 % longer)");
     distances->add_option("--memory-limit", command->memory_limit, "Largest amount of memory to use, in GB")
-        ->check(CLI::PositiveNumber)
+        ->check(positive())
         ->capture_default_str();
     add_common_options(*distances, command->common);
-    distances->callback([command] { run(*command); });
+    on_run(*distances, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

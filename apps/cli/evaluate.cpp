@@ -110,12 +110,12 @@ void run(EvaluateCommand& command) {
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    const VertexMap map = load_vertex_map(command.map, source, target);
+    const LoadedMap map = load_map(command.map, {source, target, command.source, command.target});
     std::optional<GroundTruth> truth = read_truth(command.truth);
     if (truth && command.samples > 0) truth = sampled(*truth, command.samples);
     watch.lap("read");
 
-    const MapQuality quality = map_quality(map, source, target);
+    const MapQuality quality = map_quality(map.vertices, source, target);
     std::string text = describe(quality, source, target);
     Json json = {{"command", "evaluate"},
                  {"source", command.source.string()},
@@ -128,7 +128,7 @@ void run(EvaluateCommand& command) {
         command.options.shortcuts = !command.plain_edges;
         command.options.n_threads = command.common.threads;
         command.options.progress = progress_bar("measuring", command.common);
-        const EvaluationReport report = evaluate(map, *truth, source, target, command.options);
+        const EvaluationReport report = evaluated(map, *truth, source, target, command.options);
         command.options.progress = {};  // ends the bar
         text += describe(report);
         json["distances"] = command.plain_edges ? "plain edges" : "edges and shortcuts";
@@ -139,7 +139,7 @@ void run(EvaluateCommand& command) {
     }
     watch.lap("evaluate");
     json["seconds"] = to_json(watch.stages());
-    std::fputs(text.c_str(), stdout);
+    print(command.common, text);
     write_report(json, command.common);
 }
 
@@ -150,29 +150,29 @@ void add_evaluate(CLI::App& program) {
     CLI::App* evaluate = program.add_subcommand(
         "evaluate",
         "Measure the quality of a map from SOURCE to TARGET, and its errors if the truth is given");
-    evaluate->add_option("SOURCE", command->source, "Mesh file")->required();
-    evaluate->add_option("TARGET", command->target, "Mesh file")->required();
-    evaluate->add_option("MAP", command->map, "Map file: line i = target vertex of source vertex i, 0-based")
+    add_input(*evaluate, command->common.files, "SOURCE", command->source, "Mesh file")->required();
+    add_input(*evaluate, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_input(*evaluate, command->common.files, "MAP", command->map,
+              "Map file: line i = target vertex of source vertex i, 0-based; or a surface map")
         ->required();
-    add_truth_options(*evaluate, command->truth);
+    add_truth_options(*evaluate, command->common.files, command->truth);
     evaluate
         ->add_option("--samples", command->samples,
                      "Measure at most this many true pairs, evenly spaced; 0 = all")
-        ->check(CLI::Range(0, 1 << 30))
+        ->check(whole_number(0, 1 << 30))
         ->capture_default_str();
     evaluate
         ->add_option("--base-vertices", command->options.n_base_vertices,
                      "Also approximate C from this many farthest-point samples; 0 = do not")
-        ->check(CLI::Range(0, 100000))
+        ->check(whole_number(0, 100000))
         ->capture_default_str();
     evaluate->add_flag("--plain-edges", command->plain_edges,
                        "Measure along edges only, without shortcuts across them (about 15 % longer)");
-    evaluate
-        ->add_option("--curve", command->curve,
-                     "Write the fraction of pairs within each error to this CSV file")
+    add_output(*evaluate, command->common.files, "--curve", command->curve, Content::table,
+               "Write the fraction of pairs within each error to this CSV file")
         ->type_name("FILE");
     add_common_options(*evaluate, command->common);
-    evaluate->callback([command] { run(*command); });
+    on_run(*evaluate, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -115,7 +115,7 @@ void run(const InspectCommand& command) {
     json.update(mesh_json(report));
     json["seconds"] = to_json(watch.stages());
     write_report(json, command.common);
-    std::fputs(describe(report, command.n_components).c_str(), stdout);
+    print(command.common, describe(report, command.n_components));
 }
 
 }  // namespace
@@ -123,11 +123,14 @@ void run(const InspectCommand& command) {
 void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
     CLI::App* inspect = program.add_subcommand("inspect", "Print mesh statistics and defects");
-    inspect->add_option("MESH", command->mesh, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")->required();
-    inspect->add_option("--components", command->n_components, "Number of components to list; at least 0")
+    add_input(*inspect, command->common.files, "MESH", command->mesh,
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+        ->required();
+    inspect->add_option("--components", command->n_components, "Number of components to list")
+        ->check(whole_number(0))
         ->capture_default_str();
     add_common_options(*inspect, command->common);
-    inspect->callback([command] { run(*command); });
+    on_run(*inspect, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

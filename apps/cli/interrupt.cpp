@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "interrupt.hpp"
 
+#include "exit_codes.hpp"
+
 #include <csignal>
 
 #include <unistd.h>
@@ -28,6 +30,7 @@ void cancel_on_interrupt() {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     std::signal(SIGALRM, on_alarm);
+    std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe fails with a message instead
 }
 
 bool is_interrupted() { return interrupted != 0; }

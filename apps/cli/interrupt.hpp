@@ -4,9 +4,6 @@
 
 namespace counterpart::cli {
 
-/// What a program returns that Ctrl-C ended: 128 + SIGINT.
-constexpr int interrupted_code = 130;
-
 /// From here on Ctrl-C (SIGINT) and SIGTERM cancel the work at its next progress report; work that does not
 /// report within a second ends with interrupted_code all the same. Outputs are whole or absent either way.
 void cancel_on_interrupt();

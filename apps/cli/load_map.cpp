@@ -6,58 +6,73 @@
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/map/project.hpp>
 
+#include <utility>
+#include <variant>
+
 #include <fmt/format.h>
 
 namespace counterpart::cli {
 namespace {
 
-void require_size(Index size, const TriangleMesh& source, const TriangleMesh& target) {
-    if (size == source.n_vertices()) return;
+void require_size(Index size, const MeshPair& pair) {
+    if (size == pair.source.n_vertices()) return;
     throw InvalidInput(fmt::format(
-        "the map has {} entries, but its source mesh has {} vertices{}", size, source.n_vertices(),
-        size == target.n_vertices()
+        "the map has {} entries, but its source mesh has {} vertices{}", size, pair.source.n_vertices(),
+        size == pair.target.n_vertices()
             ? "; its target mesh has as many as the map: it seems to be the inverse map"
             : ""));
 }
 
+SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const CommonOptions& options,
+                            int extend) {
+    return project_map(pair.source, pair.target, map,
+                       {.extend = extend,
+                        .n_threads = options.threads,
+                        .progress = progress_bar("placing images", options)});
+}
+
 }  // namespace
 
-SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
-                            const TriangleMesh& target, const CommonOptions& options, int extend) {
-    if (file.empty()) {
-        if (source.n_vertices() != target.n_vertices()) {
-            throw InvalidInput(fmt::format("the meshes have {} and {} vertices: give a map with --map",
-                                           source.n_vertices(), target.n_vertices()));
-        }
-        return surface_map_of(identity_map(source.n_vertices()), target);
-    }
+LoadedMap load_map(const std::filesystem::path& file, const MeshPair& pair) {
     try {
         std::variant<VertexMap, SurfaceMap> map = read_map(file);
-        require_size(std::visit([](const auto& kind) { return kind.source_size(); }, map), source, target);
+        require_size(std::visit([](const auto& kind) { return kind.source_size(); }, map), pair);
         if (auto* points = std::get_if<SurfaceMap>(&map)) {
-            points->target_triangles = target.n_triangles();
-            require_valid(*points, source.n_vertices(), target.n_triangles());
-            return std::move(*points);
+            points->target_triangles = pair.target.n_triangles();
+            require_valid(*points, pair.source.n_vertices(), pair.target.n_triangles());
+            return {nearest_corners(*points, pair.target), std::move(*points)};
         }
-        const VertexMap vertices(std::get<VertexMap>(map).image(), target.n_vertices());
-        return project_map(source, target, vertices,
-                           {.extend = extend,
-                            .n_threads = options.threads,
-                            .progress = progress_bar("placing images", options)});
+        return {{std::get<VertexMap>(map).image(), pair.target.n_vertices()}, std::nullopt};
     } catch (const InvalidInput& error) {
         throw IoError(fmt::format("{}: {}", file.string(), error.what()));
     }
 }
 
-VertexMap load_vertex_map(const std::filesystem::path& file, const TriangleMesh& source,
-                          const TriangleMesh& target) {
-    const VertexMap map = read_vertex_map(file);
-    try {
-        require_size(map.source_size(), source, target);
-        return {map.image(), target.n_vertices()};
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& pair,
+                            const CommonOptions& options, int extend) {
+    LoadedMap map = load_map(file, pair);
+    return map.points ? std::move(*map.points) : between_vertices(map.vertices, pair, options, extend);
+}
+
+VertexMap matched(const MeshPair& pair, const CommonOptions& options) {
+    if (pair.source.n_vertices() == pair.target.n_vertices() &&
+        pair.source.triangles == pair.target.triangles) {
+        say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
+        return identity_map(pair.source.n_vertices());
     }
+    const MatchResult result =
+        match(pair.source, pair.target,
+              {.n_threads = options.threads, .progress = progress_bar("matching", options)});
+    say(options,
+        fmt::format("no map is given: matched by '{}', because {}", to_string(result.method), result.reason));
+    for (const std::string& sentence : result.warnings) warn(sentence, pair.source_file, pair.target_file);
+    return result.target_from_source;
+}
+
+SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
+                                const CommonOptions& options) {
+    if (!file.empty()) return load_surface_map(file, pair, options);
+    return between_vertices(matched(pair, options), pair, options, 0);
 }
 
 }  // namespace counterpart::cli

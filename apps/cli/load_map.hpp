@@ -5,20 +5,43 @@
 #include "console.hpp"
 
 #include <counterpart/map/surface_map.hpp>
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/match/match.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <filesystem>
+#include <optional>
 
 namespace counterpart::cli {
 
-/// Reads a map file of either kind as a sub-vertex map: a vertex map is projected between the vertices
-/// unless the meshes have one connectivity, `extend` as in ProjectOptions. Without a file, vertex i goes to
-/// vertex i. Throws IoError naming the file if the map does not fit the meshes.
-SurfaceMap load_surface_map(const std::filesystem::path& file, const TriangleMesh& source,
-                            const TriangleMesh& target, const CommonOptions& options, int extend = 0);
+/// Two meshes and the names of their files.
+struct MeshPair {
+    const TriangleMesh& source;
+    const TriangleMesh& target;
+    const std::filesystem::path& source_file;
+    const std::filesystem::path& target_file;
+};
 
-/// Reads a vertex map between these meshes. Throws IoError naming the file if it does not fit them.
-VertexMap load_vertex_map(const std::filesystem::path& file, const TriangleMesh& source,
-                          const TriangleMesh& target);
+/// A map as its file holds it: a surface map also as the vertex map of its nearest corners.
+struct LoadedMap {
+    VertexMap vertices;
+    std::optional<SurfaceMap> points;
+};
+
+/// Reads a map of either kind. Throws IoError naming the file if it does not fit the meshes.
+LoadedMap load_map(const std::filesystem::path& file, const MeshPair& pair);
+
+/// Reads a map of either kind as a surface map: a vertex map is projected between the vertices unless the
+/// meshes have one connectivity, `extend` as in ProjectOptions. Throws IoError as load_map.
+SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& pair,
+                            const CommonOptions& options, int extend = 0);
+
+/// Where no map is given: vertex i to vertex i if the meshes have the same triangles, else match(). Says
+/// which, and what is doubtful.
+VertexMap matched(const MeshPair& pair, const CommonOptions& options);
+
+/// load_surface_map, or matched() without a file.
+SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
+                                const CommonOptions& options);
 
 }  // namespace counterpart::cli

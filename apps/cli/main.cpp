@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "command_line.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "interrupt.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -31,19 +36,26 @@ int main(int argc, char** argv) {
     counterpart::cli::add_align(program);
     counterpart::cli::add_view(program);
     counterpart::cli::cancel_on_interrupt();
+    const std::vector<std::string> words = counterpart::cli::words_of(argc, argv);
     try {
-        program.parse(argc, argv);
+        program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return 0;
+    } catch (const CLI::Success& help) {  // --help, --version
+        program.exit(help);
+        return std::fflush(stdout) == 0 ? 0 : counterpart::cli::not_written_code;
     } catch (const CLI::ParseError& error) {
-        // 0 for --help and --version; 2 for a command line that cannot be understood.
-        return program.exit(error) == 0 ? 0 : 2;
+        std::fprintf(stderr, "error: %s\n", counterpart::cli::sentence_of(program, error, words).c_str());
+        return counterpart::cli::not_understood_code;
     } catch (const counterpart::Canceled&) {
         std::fputs("interrupted\n", stderr);
         return counterpart::cli::interrupted_code;
+    } catch (const counterpart::WriteError& error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return counterpart::cli::not_written_code;
     } catch (const std::bad_alloc&) {
         std::fputs("error: out of memory\n", stderr);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
     }
-    return 1;
+    return counterpart::cli::refused_code;
 }

@@ -8,9 +8,11 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/npy.hpp>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -20,22 +22,70 @@ namespace {
 
 struct MatchCommand {
     CommonOptions common;
-    std::filesystem::path source, target, output;
+    std::filesystem::path source, target, output, inverse, confidence;
     std::string method = "auto";
     std::vector<MethodCommand> methods;
+    std::map<const CLI::Option*, std::string> method_of_option;  // of those that belong to one
+
+    const MethodCommand& chosen() const {
+        return *std::find_if(methods.begin(), methods.end(),
+                             [&](const MethodCommand& m) { return m.name == method; });
+    }
 };
 
+// Adds a method and notes which options came with it.
+template <class Add>
+void add_method(MatchCommand& command, CLI::App& match, const Add& add) {
+    const MethodCommand method = add();
+    command.methods.push_back(method);
+    for (const CLI::Option* option : match.get_options())
+        if (!option->get_name().starts_with("--help"))
+            command.method_of_option.try_emplace(option, method.name);
+}
+
+bool is_auto_of(const std::string& method) { return method == "exact" || method == "spectral"; }
+
+// Refuses options that the method does not use. What `auto` may come to use is refused when it has chosen.
+void refuse_unused_options(const MatchCommand& command, const std::string& method) {
+    for (const auto& [option, owner] : command.method_of_option) {
+        if (option->count() == 0 || owner == method || owner.empty()) continue;
+        const std::string name = option->get_name();
+        if (method == "auto" && (is_auto_of(owner) || owner == "partial")) continue;
+        // auto tries exact with these before it chooses another method.
+        if (command.method == "auto" && (name == "--allow-mirror" || name == "--weld")) continue;
+        throw InvalidInput(fmt::format("{} is an option of --method {}; {} does not use it", name, owner,
+                                       command.method == "auto" && method != "auto"
+                                           ? fmt::format("--method {}, which auto chose here,", method)
+                                           : "--method " + method));
+    }
+    if (!command.confidence.empty() && !command.chosen().has_confidence)
+        throw InvalidInput(
+            fmt::format("--confidence: --method {} has none; exact, frontiers and spectral do", method));
+}
+
+void write_outputs(const MatchCommand& command, const MatchOutcome& outcome) {
+    if (!command.confidence.empty() && outcome.confidence.size() == 0)
+        throw InvalidInput("--confidence: this method has none");
+    write_vertex_map(outcome.target_from_source, command.output);
+    if (!command.inverse.empty())
+        write_vertex_map(
+            outcome.source_from_target ? *outcome.source_from_target : invert(outcome.target_from_source),
+            command.inverse);
+    if (!command.confidence.empty()) write_npy(outcome.confidence, command.confidence);
+}
+
 void run(const MatchCommand& command) {
+    refuse_unused_options(command, command.method);
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     watch.lap("read");
-    const auto method = std::find_if(command.methods.begin(), command.methods.end(),
-                                     [&](const MethodCommand& m) { return m.name == command.method; });
     const MatchOutcome outcome =
-        method->run({source, target, command.common, progress_bar("matching", command.common)});
+        command.chosen().run({source, target, command.common, progress_bar("matching", command.common)});
     watch.lap("match");
-    if (outcome.failure.empty()) write_vertex_map(outcome.target_from_source, command.output);
+    if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
+    for (const std::string& sentence : outcome.warnings) warn(sentence, command.source, command.target);
+    if (outcome.failure.empty()) write_outputs(command, outcome);
     watch.lap("write");
 
     for (const std::string& message : outcome.messages) say(command.common, message);
@@ -43,15 +93,17 @@ void run(const MatchCommand& command) {
     if (outcome.failure.empty())
         say(command.common,
             fmt::format("matched {} of {} vertices by '{}' in {:.2f} s -> {}", matched, source.n_vertices(),
-                        method->name, watch.stages()[1].seconds, command.output.string()));
+                        outcome.method.empty() ? command.method : outcome.method, watch.stages()[1].seconds,
+                        command.output.string()));
     write_report({{"command", "match"},
                   {"source", command.source.string()},
                   {"target", command.target.string()},
-                  {"method", method->name},
+                  {"method", command.method},
                   {"source_vertices", source.n_vertices()},
                   {"target_vertices", target.n_vertices()},
                   {"matched_vertices", matched},
                   {"messages", outcome.messages},
+                  {"warnings", outcome.warnings},
                   {"details", outcome.details},
                   {"seconds", to_json(watch.stages())},
                   {"stage_seconds", to_json(outcome.stages)}},
@@ -65,18 +117,30 @@ void add_match(CLI::App& program) {
     auto command = std::make_shared<MatchCommand>();
     CLI::App* match = program.add_subcommand(
         "match", "Find the vertex of TARGET that corresponds to each vertex of SOURCE");
-    match->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+    add_input(*match, command->common.files, "SOURCE", command->source,
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
-    match->add_option("TARGET", command->target, "Mesh file")->required();
-    match
-        ->add_option("-o,--output", command->output,
-                     "Map file, text or .npy: line i = target vertex of source vertex i, 0-based")
+    add_input(*match, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_output(*match, command->common.files, "-o,--output", command->output, Content::map,
+               "Map file, text or .npy: line i = target vertex of source vertex i, 0-based")
         ->required();
+    add_output(*match, command->common.files, "--inverse", command->inverse, Content::map,
+               "Also write the map from TARGET to SOURCE");
+    add_output(*match, command->common.files, "--confidence", command->confidence, Content::matrix,
+               "Write the confidence of each source vertex, 0 to 1 (.npy)");
     const auto exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
-    command->methods = {add_auto_method(exact, spectral), add_exact_method(*match, exact),
-                        add_frontiers_method(*match),     add_spectral_method(*match, spectral),
-                        add_nearest_method(*match),       add_assignment_method(*match)};
+    for (const CLI::Option* option : match->get_options()) command->method_of_option[option] = "";
+    add_method(*command, *match, [&] { return add_auto_method(exact, spectral); });
+    add_method(*command, *match, [&] { return add_exact_method(*match, exact); });
+    add_method(*command, *match, [&] { return add_frontiers_method(*match); });
+    add_method(*command, *match, [&] { return add_spectral_method(*match, spectral); });
+    add_method(*command, *match, [&] { return add_nearest_method(*match); });
+    add_method(*command, *match, [&] { return add_assignment_method(*match); });
+    FileArguments& files = command->common.files;
+    files.push_back({"--landmarks", &spectral->landmarks, nullptr, {}});
+    files.push_back({"--alternatives-output", &spectral->alternatives, nullptr, Content::map});
+    files.push_back({"--symmetric-alternatives", &exact->alternatives, nullptr, Content::prefix});
 
     std::vector<std::string> names;
     std::string help = "One of";
@@ -84,9 +148,9 @@ void add_match(CLI::App& program) {
         names.push_back(method.name);
         help += fmt::format("\n  {}: {}", method.name, method.summary);
     }
-    match->add_option("--method", command->method, help)->check(CLI::IsMember(names))->capture_default_str();
+    match->add_option("--method", command->method, help)->check(one_of(names))->capture_default_str();
     add_common_options(*match, command->common);
-    match->callback([command] { run(*command); });
+    on_run(*match, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

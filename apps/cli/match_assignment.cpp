@@ -13,7 +13,7 @@ MethodCommand add_assignment_method(CLI::App& match) {
     match
         .add_option("--assignment-limit", options->max_vertices,
                     "assignment: largest number of vertices accepted (time grows with its cube)")
-        ->check(CLI::Range(1, 100000))
+        ->check(whole_number(1, 100000))
         ->capture_default_str();
     return {"assignment", "optimal one-to-one assignment after aligning the centroids; slow",
             [options](const MatchInput& input) {
@@ -24,7 +24,8 @@ MethodCommand add_assignment_method(CLI::App& match) {
                 outcome.target_from_source = result.target_from_source;
                 outcome.details = {{"sum_of_squared_distances", result.cost}};
                 return outcome;
-            }};
+            },
+            false};
 }
 
 }  // namespace counterpart::cli

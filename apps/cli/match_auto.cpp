@@ -4,6 +4,7 @@
 #include "match_methods.hpp"
 #include "match_spectral.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/match/match.hpp>
 
 #include <utility>
@@ -36,8 +37,17 @@ MatchOutcome outcome_of(const MatchInput& input, const ExactArguments& exact,
                 fmt::format("{} unmatched vertices filled from their neighbors", result.n_filled));
         outcome.details["filled_vertices"] = result.n_filled;
     }
-    for (const std::string& sentence : result.warnings) warn(sentence);
+    outcome.warnings = result.warnings;
     return outcome;
+}
+
+// Symmetric alternatives are only those of an exact match: what comes instead takes longer than asking first.
+void require_same_connectivity(const MatchInput& input, const ExactArguments& exact) {
+    if (exact.alternatives.empty()) return;
+    const ExactResult result = match_exact(input.source, input.target, exact.options);
+    if (!result.identical)
+        throw InvalidInput("--symmetric-alternatives is an option of --method exact, which cannot match: " +
+                           result.difference);
 }
 
 }  // namespace
@@ -48,11 +58,18 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
             "exact if the connectivity is the same or nearly so, else spectral; reports the choice and the "
             "reason",
             [exact, spectral](const MatchInput& input) {
-                if (exact->allow_differences) return exact->run(input);
+                if (exact->allow_differences) {
+                    MatchOutcome outcome = exact->run(input);
+                    outcome.method = "exact";
+                    return outcome;
+                }
+                require_same_connectivity(input, *exact);
                 const MatchResult result =
                     match(input.source, input.target, options_of(input, *exact, *spectral));
                 MatchOutcome outcome = outcome_of(input, *exact, *spectral, result);
                 outcome.target_from_source = result.target_from_source;
+                outcome.confidence = result.confidence;
+                outcome.method = to_string(result.method);
                 outcome.stages = result.stages;
                 outcome.messages.insert(
                     outcome.messages.begin(),

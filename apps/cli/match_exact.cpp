@@ -98,6 +98,9 @@ MatchOutcome shared_outcome(const MatchInput& input, const ExactArguments& argum
 MatchOutcome differences_outcome(const MatchInput& input, const MeshDifferences& differences) {
     MatchOutcome outcome;
     outcome.target_from_source = differences.target_from_source;
+    outcome.confidence = Vector::Ones(input.source.n_vertices());
+    for (const Index v : differences.uncertain) outcome.confidence[v] = 0.5;
+    for (const Index v : differences.source_vertices) outcome.confidence[v] = 0;
     outcome.messages.push_back(differences.summary);
     for (std::size_t i = 0; i < std::min(max_listed, differences.edits.size()); ++i)
         outcome.messages.push_back("  " + differences.edits[i].sentence);
@@ -128,8 +131,9 @@ MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& argume
                                 {"mirrored", result.mirrored}});
     outcome.messages = result.notices;
     outcome.target_from_source = std::move(result.target_from_source);
+    outcome.confidence = Vector::Ones(outcome.target_from_source.source_size());
     if (!arguments.alternatives.empty())
-        write_alternatives(result.alternatives, arguments.alternatives, outcome);
+        write_alternatives(result.alternatives, arguments.alternatives.string(), outcome);
     return outcome;
 }
 
@@ -148,10 +152,9 @@ MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgum
                    "exact: also consider orientation-reversing matches");
     match
         .add_option("--weld", arguments->options.weld_distance,
-                    "exact: first merge vertices up to this far apart, in mesh units; without a value: 0")
-        ->expected(0, 1)
-        ->default_str("off")
-        ->check(CLI::NonNegativeNumber);
+                    "exact: first merge vertices up to this far apart, in mesh units; alone: 0. Default: off")
+        ->type_name("[LENGTH]")
+        ->check(non_negative());
     match
         .add_option("--symmetric-alternatives", arguments->alternatives,
                     "exact: write the other matches of a symmetric mesh to PREFIX1.txt, PREFIX2.txt, ...")
@@ -159,7 +162,7 @@ MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgum
     match
         .add_option("--max-alternatives", arguments->max_alternatives,
                     "exact: maximum number of symmetric alternatives, 1 to 10000")
-        ->check(CLI::Range(1, 10'000))
+        ->check(whole_number(1, 10'000))
         ->capture_default_str();
     return {"exact", "same connectivity: determined by connectivity alone, in any vertex order and pose",
             [arguments](const MatchInput& input) { return arguments->run(input); }};

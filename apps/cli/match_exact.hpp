@@ -7,6 +7,7 @@
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -15,7 +16,7 @@ namespace counterpart::cli {
 struct ExactArguments {
     ExactOptions options;
     bool allow_differences = false;
-    std::string alternatives;  // prefix of the files; empty: none
+    std::filesystem::path alternatives;  // prefix of the files; empty: none
     Index max_alternatives = 100;
 
     /// `match --method exact`.

@@ -13,6 +13,9 @@
 namespace counterpart::cli {
 namespace {
 
+const std::map<std::string, Pairing> pairings = {
+    {"closest", Pairing::closest}, {"mutual", Pairing::mutual}, {"optimal", Pairing::optimal}};
+
 struct FrontiersArguments {
     FrontiersOptions options;
     CLI::Option* pairing = nullptr;  // --paper pairs the closest unless this is given
@@ -33,6 +36,7 @@ Json component_to_json(const ComponentMatch& component) {
 MatchOutcome outcome_of(const FrontiersResult& result) {
     MatchOutcome outcome;
     outcome.target_from_source = result.target_from_source;
+    outcome.confidence = result.confidence;
     outcome.stages = result.stages;
     const ComponentMatch& largest = result.components.front();
     outcome.messages.push_back(
@@ -64,8 +68,8 @@ MatchOutcome outcome_of(const FrontiersResult& result) {
 }
 
 MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput& input) {
-    if (arguments.positions_only || arguments.options.edge_splits)
-        throw InvalidInput("--positions-only and --edge-splits need --distance hops");
+    if (arguments.positions_only || arguments.options.edge_splits || arguments.options.paper)
+        throw InvalidInput("--paper, --positions-only and --edge-splits need --distance hops");
     GeodesicFrontiersOptions options;
     options.source_seed = arguments.options.source_seed;
     options.target_seed = arguments.options.target_seed;
@@ -82,7 +86,8 @@ MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput&
         "{} geodesic bands",
         result.source_seed, result.target_seed, 100 * result.profile_difference, result.n_bands));
     if (result.profile_difference > 0.1)
-        warn("the surfaces around the two seeds differ too much: this map is unreliable");
+        outcome.warnings.emplace_back(
+            "the surfaces around the two seeds differ too much: this map is unreliable");
     outcome.details = {{"source_seed", result.source_seed},
                        {"target_seed", result.target_seed},
                        {"bands", result.n_bands},
@@ -97,14 +102,14 @@ MethodCommand add_frontiers_method(CLI::App& match) {
     FrontiersOptions& options = arguments->options;
     const std::string group = "Options of --method frontiers";
     match
-        .add_option("--source", options.source_seed,
-                    "Seed vertex of SOURCE, 0-based; needs --target-source. Default: selected automatically")
-        ->check(CLI::NonNegativeNumber)
+        .add_option("--source-seed", options.source_seed,
+                    "Seed vertex of SOURCE, 0-based; needs --target-seed. Default: selected automatically")
+        ->check(whole_number(0, 1 << 30))
         ->group(group);
     match
-        .add_option("--target-source", options.target_seed,
-                    "Corresponding seed vertex of TARGET; needs --source")
-        ->check(CLI::NonNegativeNumber)
+        .add_option("--target-seed", options.target_seed,
+                    "Corresponding seed vertex of TARGET; needs --source-seed")
+        ->check(whole_number(0, 1 << 30))
         ->group(group);
     match
         .add_flag("--paper", options.paper,
@@ -116,24 +121,24 @@ MethodCommand add_frontiers_method(CLI::App& match) {
         ->group(group);
     match.add_flag("--edge-splits", options.edge_splits, "Split edges until there are sqrt(V) frontiers")
         ->group(group);
-    const std::map<std::string, Pairing> names{
-        {"closest", Pairing::closest}, {"mutual", Pairing::mutual}, {"optimal", Pairing::optimal}};
-    arguments->pairing = match
-                             .add_option("--pairing", options.pairing,
-                                         "closest, mutual or optimal. Default: optimal; closest with --paper")
-                             ->transform(CLI::CheckedTransformer(names))
-                             ->group(group);
+    arguments->pairing =
+        match
+            .add_option_function<std::string>(
+                "--pairing", [&options](const std::string& name) { options.pairing = pairings.at(name); },
+                "closest, mutual or optimal. Default: optimal; closest with --paper")
+            ->check(one_of({"closest", "mutual", "optimal"}))
+            ->group(group);
     CLI::Option* distance =
         match
             .add_option_function<std::string>(
                 "--distance",
                 [arguments](const std::string& kind) { arguments->geodesic = kind == "geodesic"; },
                 "hops, or geodesic: bands of geodesic distance, matched as published, for any two meshes")
-            ->check(CLI::IsMember({"hops", "geodesic"}))
+            ->check(one_of({"hops", "geodesic"}))
             ->default_str("hops")
             ->group(group);
     match.add_option("--bands", arguments->n_bands, "Number of bands with --distance geodesic; 0 = sqrt(V)")
-        ->check(CLI::Range(0, 1'000'000))
+        ->check(whole_number(0, 1'000'000))
         ->capture_default_str()
         ->needs(distance)
         ->group(group);

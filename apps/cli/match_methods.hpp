@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,21 @@ struct MatchInput {
 
 struct MatchOutcome {
     VertexMap target_from_source;
-    std::vector<std::string> messages;  ///< sentences for the user
-    Json details = Json::object();      ///< the method's part of the report
-    std::vector<StageTime> stages;
-    std::string failure;  ///< not empty: write the report, but no map, and fail with this sentence
+    std::optional<VertexMap> source_from_target{};  ///< if the method finds it; else it is the inverse
+    Vector confidence{};                            ///< per source vertex; empty if the method has none
+    std::string method{};                           ///< that auto chose; else empty
+    std::vector<std::string> messages{};            ///< sentences for the user
+    std::vector<std::string> warnings{};            ///< sentences: what may be wrong, and what to do
+    Json details = Json::object();                  ///< the method's part of the report
+    std::vector<StageTime> stages{};
+    std::string failure{};  ///< not empty: write the report, but no map, and fail with this sentence
 };
 
 struct MethodCommand {
     std::string name;
     std::string summary;  ///< half a line for --help
     std::function<MatchOutcome(const MatchInput&)> run;
+    bool has_confidence = true;
 };
 
 MethodCommand add_frontiers_method(CLI::App& match);

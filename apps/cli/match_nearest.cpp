@@ -14,7 +14,8 @@ MethodCommand add_nearest_method(CLI::App& /*match*/) {
                     match_nearest(input.source, input.target, {.n_threads = input.common.threads})
                         .target_from_source;
                 return outcome;
-            }};
+            },
+            false};
 }
 
 }  // namespace counterpart::cli

@@ -5,7 +5,6 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
-#include <counterpart/io/npy.hpp>
 
 #include <memory>
 
@@ -41,9 +40,6 @@ SpectralOptions SpectralArguments::options_for(const MatchInput& input) const {
 }
 
 MatchOutcome spectral_outcome(const SpectralArguments& arguments, const SpectralResult& result) {
-    for (const std::string& sentence : result.warnings) warn(sentence);
-    if (!arguments.inverse.empty()) write_vertex_map(result.source_from_target, arguments.inverse);
-    if (!arguments.confidence.empty()) write_npy(result.confidence, arguments.confidence);
     if (!arguments.alternatives.empty()) {
         for (std::size_t i = 0; i < result.alternatives.size(); ++i)
             write_vertex_map(result.alternatives[i].target_from_source,
@@ -56,7 +52,10 @@ MatchOutcome spectral_outcome(const SpectralArguments& arguments, const Spectral
         outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {}", other.score, other.description));
     outcome.details = report_of(result);
     outcome.stages = result.stages;
+    outcome.warnings = result.warnings;
     outcome.target_from_source = result.target_from_source;
+    outcome.source_from_target = result.source_from_target;
+    outcome.confidence = result.confidence;
     return outcome;
 }
 
@@ -91,14 +90,6 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
     match
         .add_option("--alternatives-output", arguments->alternatives,
                     "Write the runner-up maps, with _1, _2, ... before the extension of FILE")
-        ->type_name("FILE")
-        ->group(group);
-    match.add_option("--inverse", arguments->inverse, "Also write the map from TARGET to SOURCE")
-        ->type_name("FILE")
-        ->group(group);
-    match
-        .add_option("--confidence", arguments->confidence,
-                    "Write the confidence of each source vertex (.npy)")
         ->type_name("FILE")
         ->group(group);
     return {"spectral", "Laplace eigenfunctions: similar shapes, any triangulation, fully automatic",

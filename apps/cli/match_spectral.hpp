@@ -13,7 +13,7 @@ namespace counterpart::cli {
 struct SpectralArguments {
     SpectralOptions options;
     SpectralShapeOptions shape;
-    std::filesystem::path landmarks, inverse, confidence, alternatives;  // files; empty: none
+    std::filesystem::path landmarks, alternatives;  // files; empty: none
 
     /// With the landmarks read.
     SpectralOptions options_for(const MatchInput& input) const;

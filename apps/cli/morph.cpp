@@ -92,8 +92,9 @@ void run(const MorphCommand& command) {
     const TriangleMesh last = load_mesh(command.last, command.common);
     MorphOptions options = command.options;
     options.n_threads = command.common.threads;
-    const LastPose placed =
-        last_pose(first, last, load_surface_map(command.map, first, last, command.common));
+    const LastPose placed = last_pose(
+        first, last,
+        surface_map_or_match(command.map, {first, last, command.first, command.last}, command.common));
     const Points& pose = placed.vertices;
     if (placed.n_followers > 0)
         say(command.common, fmt::format("{} unmatched vertices follow their neighbors", placed.n_followers));
@@ -127,31 +128,32 @@ void run(const MorphCommand& command) {
 void add_morph(CLI::App& program) {
     auto command = std::make_shared<MorphCommand>();
     CLI::App* morph = program.add_subcommand("morph", "Interpolate between two poses A and B");
-    morph->add_option("A", command->first, "Mesh file: the first key frame, whose connectivity is kept")
+    add_input(*morph, command->common.files, "A", command->first,
+              "Mesh file: the first key frame, whose connectivity is kept")
         ->required();
-    morph->add_option("B", command->last, "Mesh file: the last key frame")->required();
-    morph->add_option("--map", command->map, "Map from A to B. Default: the identity")->type_name("FILE");
+    add_input(*morph, command->common.files, "B", command->last, "Mesh file: the last key frame")->required();
+    add_input(*morph, command->common.files, "--map", command->map,
+              "Map from A to B. Default: match them first, unless they have the same triangles")
+        ->type_name("FILE");
     morph->add_option("-n,--frames", command->count, "Number of in-between frames; 0 to 10000")
-        ->check(CLI::Range(0, 10000))
+        ->check(whole_number(0, 10000))
         ->capture_default_str();
-    morph
-        ->add_option(
-            "-o,--output", command->output,
-            "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all attributes "
-            "except morph targets, and frame_0001 to frame_<n+1> as its morph targets")
+    add_output(*morph, command->common.files, "-o,--output", command->output, Content::frames,
+               "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all attributes "
+               "except morph targets, and frame_0001 to frame_<n+1> as its morph targets")
         ->required();
     morph
         ->add_option("--format", command->format,
                      "File format of frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
-        ->check(CLI::IsMember({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
+        ->check(one_of({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
         ->capture_default_str();
     morph
         ->add_option("--iterations", command->options.iterations,
                      "Iterations per frame, 0 to 100; more preserve edge lengths better")
-        ->check(CLI::Range(0, 100))
+        ->check(whole_number(0, 100))
         ->capture_default_str();
     add_common_options(*morph, command->common);
-    morph->callback([command] { run(*command); });
+    on_run(*morph, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

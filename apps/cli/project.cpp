@@ -22,8 +22,8 @@ struct ProjectCommand {
 void run(const ProjectCommand& command) {
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    SurfaceMap target_from_source =
-        load_surface_map(command.map, source, target, command.common, command.extend);
+    SurfaceMap target_from_source = load_surface_map(
+        command.map, {source, target, command.source, command.target}, command.common, command.extend);
     Json report = {{"command", "project"},
                    {"source_vertices", source.n_vertices()},
                    {"matched_vertices", count_matched(target_from_source)}};
@@ -48,24 +48,24 @@ void add_project(CLI::App& program) {
     auto command = std::make_shared<ProjectCommand>();
     CLI::App* project = program.add_subcommand(
         "project", "Convert a vertex map to a sub-vertex map (triangle and barycentric weights)");
-    project->add_option("SOURCE", command->source, "Mesh file")->required();
-    project->add_option("TARGET", command->target, "Mesh file")->required();
-    project->add_option("--map", command->map, "Map from SOURCE to TARGET")->required()->type_name("FILE");
-    project
-        ->add_option("-o,--output", command->output,
-                     "Map file, text or .npy: line i = target triangle and three weights of source vertex i")
+    add_input(*project, command->common.files, "SOURCE", command->source, "Mesh file")->required();
+    add_input(*project, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_input(*project, command->common.files, "--map", command->map, "Map from SOURCE to TARGET")
+        ->required()
+        ->type_name("FILE");
+    add_output(*project, command->common.files, "-o,--output", command->output, Content::map,
+               "Map file, text or .npy: line i = target triangle and three weights of source vertex i")
         ->required();
-    project
-        ->add_option("--inverse", command->inverse,
-                     "Also write the sub-vertex map from TARGET to SOURCE, made consistent with the other")
+    add_output(*project, command->common.files, "--inverse", command->inverse, Content::map,
+               "Also write the sub-vertex map from TARGET to SOURCE, made consistent with the other")
         ->type_name("FILE");
     project
         ->add_option("--extend", command->extend,
                      "Rounds of extending the map to unmatched neighbors of matched vertices; 0 to 1000")
-        ->check(CLI::Range(0, 1000))
+        ->check(whole_number(0, 1000))
         ->capture_default_str();
     add_common_options(*project, command->common);
-    project->callback([command] { run(*command); });
+    on_run(*project, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

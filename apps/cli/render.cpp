@@ -60,7 +60,7 @@ void check(const RenderCommand& command, const Figure& figure) {
     if (figure.name != "curve" && command.maps.size() > 1)
         throw InvalidInput("several maps need --show curve");
     const std::string extension = lower_extension(command.output);
-    if (extension != ".png" && !(extension == ".svg" && figure.diagram))
+    if (!extension.empty() && extension != ".png" && !(extension == ".svg" && figure.diagram))
         throw InvalidInput(fmt::format("--show {} writes {}, not '{}'", figure.name,
                                        figure.diagram ? ".png or .svg" : ".png", command.output.string()));
 }
@@ -70,7 +70,8 @@ void read(RenderCommand& command, const Figure& figure) {
     request.source = load_mesh(command.source, request.common);
     if (!command.target.empty()) request.target = load_mesh(command.target, request.common);
     for (const std::filesystem::path& file : command.maps) {
-        request.maps.push_back(load_vertex_map(file, request.source, *request.target));
+        request.maps.push_back(
+            load_map(file, {request.source, *request.target, command.source, command.target}));
     }
     while (request.labels.size() < command.maps.size())
         request.labels.push_back(command.maps[request.labels.size()].stem().string());
@@ -114,15 +115,18 @@ void run(RenderCommand& command) {
 }
 
 void add_inputs(CLI::App& render, RenderCommand& command) {
-    render.add_option("SOURCE", command.source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+    FileArguments& files = command.request.common.files;
+    add_input(render, files, "SOURCE", command.source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
-    render.add_option("TARGET", command.target, "Mesh file");
-    render.add_option("-o,--output", command.output, "Image file: .png, or .svg for curves")->required();
-    render.add_option("--map", command.maps, "Map file: line i = target vertex of source vertex i, 0-based")
-        ->type_name("FILE");
+    add_input(render, files, "TARGET", command.target, "Mesh file");
+    add_output(render, files, "-o,--output", command.output, Content::picture,
+               "Image file: .png, or .svg for curves")
+        ->required();
+    add_input(render, files, "--map", command.maps,
+              "Map file: line i = target vertex of source vertex i, 0-based; or a surface map");
     render.add_option("--label", command.request.labels,
                       "Name of each map in the legend. Default: its file name");
-    add_truth_options(render, command.truth);
+    add_truth_options(render, files, command.truth);
 }
 
 void add_choices(CLI::App& render, RenderCommand& command) {
@@ -133,7 +137,7 @@ void add_choices(CLI::App& render, RenderCommand& command) {
         names.push_back(figure.name);
         help += fmt::format("\n  {}: {}", figure.name, figure.summary);
     }
-    render.add_option("--show", command.show, help)->check(CLI::IsMember(names));
+    render.add_option("--show", command.show, help)->check(one_of(names));
     render.add_option("--size", command.size, "Size of the image in pixels")
         ->type_name("WxH")
         ->capture_default_str();
@@ -147,39 +151,40 @@ void add_choices(CLI::App& render, RenderCommand& command) {
     render
         .add_option("--vertex", request.vertex,
                     "Seed vertex of SOURCE for frontiers. Default: a critical point")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number(0, 1 << 30));
     render
         .add_option(
             "--target-vertex", request.target_vertex,
             "Seed vertex of TARGET. Default: the image of --vertex, or a critical point without a map")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number(0, 1 << 30));
     render.add_option("--every", request.every, "Draw every n-th frontier")
-        ->check(CLI::Range(1, 1 << 30))
+        ->check(whole_number(1, 1 << 30))
         ->capture_default_str();
     render.add_flag("--dots", request.dots, "Draw frontiers as dots instead of bands");
     render
         .add_option("--frontier", request.frontier,
                     "Frontier to align, 0-based. Default: the largest connected one")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number(0, 1 << 30));
     render
         .add_option("--bases", request.n_bases,
                     "Maximum number of farthest-point samples; 0 = limited by --radius only")
-        ->check(CLI::Range(0, 20000))
+        ->check(whole_number(0, 20000))
         ->capture_default_str();
     render
         .add_option("--radius", request.radius,
                     "Covering radius of the samples, or radius of the region shown, in mesh units")
-        ->check(CLI::NonNegativeNumber);
+        ->check(non_negative());
     render.add_option("--lines", request.lines.count, "Maximum number of lines; 0 = all")
-        ->check(CLI::Range(0, 1 << 30))
+        ->check(whole_number(0, 1 << 30))
         ->capture_default_str();
     render.add_option("--seed", request.lines.seed, "Random seed that selects the lines")
+        ->check(whole_number(0))
         ->capture_default_str();
     render.add_option("--max-error", request.max_error, "Upper end of the error scale; 0 = automatic")
-        ->check(CLI::NonNegativeNumber)
+        ->check(non_negative())
         ->capture_default_str();
     render.add_option("--colormap", command.colormap, "Color map for errors")
-        ->check(CLI::IsMember(colormap_names()))
+        ->check(one_of(colormap_names()))
         ->capture_default_str();
 }
 
@@ -190,7 +195,7 @@ std::vector<PlacedMesh> RenderRequest::placed() const {
     std::vector<Placement> places = {Placement(source, source_view)};
     if (target) {
         const Camera target_view =
-            maps.empty() ? source_view : matching_camera(source_view, source, *target, maps[0]);
+            maps.empty() ? source_view : matching_camera(source_view, source, *target, maps[0].vertices);
         places.emplace_back(*target, target_view);
     }
     arrange_in_row(places);
@@ -214,7 +219,7 @@ void add_render(CLI::App& program) {
     add_inputs(*render, *command);
     add_choices(*render, *command);
     add_common_options(*render, command->request.common);
-    render->callback([command] { run(*command); });
+    on_run(*render, command->request.common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

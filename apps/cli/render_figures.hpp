@@ -5,6 +5,7 @@
 #pragma once
 
 #include "console.hpp"
+#include "load_map.hpp"
 
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/map/vertex_map.hpp>
@@ -25,7 +26,7 @@ struct RenderRequest {
     CommonOptions common;
     TriangleMesh source;
     std::optional<TriangleMesh> target;
-    std::vector<VertexMap> maps;  ///< target from source
+    std::vector<LoadedMap> maps;  ///< target from source
     std::vector<std::string> labels;
     std::optional<GroundTruth> truth;
 

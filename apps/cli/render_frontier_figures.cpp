@@ -134,7 +134,7 @@ Image draw_alignment(const RenderRequest& request) {
         align_centroids(from.points, to.points)(from.points), to.points, from.edges, to.edges, {}};
     if (!request.maps.empty()) {
         for (std::size_t i = 0; i < from.vertices.size(); ++i) {
-            const Index image = request.maps[0][from.vertices[i]];
+            const Index image = request.maps[0].vertices[from.vertices[i]];
             const auto at = std::lower_bound(to.vertices.begin(), to.vertices.end(), image);
             if (at != to.vertices.end() && *at == image)
                 before.pairs.emplace_back(static_cast<Index>(i),

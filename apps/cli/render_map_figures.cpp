@@ -14,20 +14,20 @@ namespace {
 
 Image draw_texture(const RenderRequest& request, Texture texture) {
     const std::vector<PlacedMesh> placed = request.placed();
-    return request.paint(texture_scene(placed[0], placed[1], request.maps[0], texture));
+    return request.paint(texture_scene(placed[0], placed[1], request.maps[0].vertices, texture));
 }
 
 Image draw_lines(const RenderRequest& request) {
     const std::vector<PlacedMesh> placed = request.placed();
-    return request.paint(line_scene(placed[0], placed[1], request.maps[0], request.lines));
+    return request.paint(line_scene(placed[0], placed[1], request.maps[0].vertices, request.lines));
 }
 
-EvaluationReport score(const RenderRequest& request, const VertexMap& map, std::vector<double> thresholds) {
+EvaluationReport score(const RenderRequest& request, const LoadedMap& map, std::vector<double> thresholds) {
     EvaluationOptions options;
     options.thresholds = std::move(thresholds);
     options.n_threads = request.common.threads;
     options.progress = progress_bar("measuring", request.common);
-    return evaluate(map, *request.truth, request.source, *request.target, options);
+    return evaluated(map, *request.truth, request.source, *request.target, options);
 }
 
 /// Fills vertices without a value from their neighbors.
@@ -65,7 +65,7 @@ Drawing draw_curve(const RenderRequest& request) {
     double max = request.max_error;
     std::vector<ErrorCurve> curves;
     if (max == 0) {  // as far as the worst of the maps needs, within reason
-        for (const VertexMap& map : request.maps) {
+        for (const LoadedMap& map : request.maps) {
             const double high = score(request, map, {}).percentile_95_error;
             if (std::isfinite(high)) max = std::max(max, high);
         }

@@ -54,7 +54,8 @@ Image draw_matrix(const RenderRequest& request) {
     if (request.target) {
         std::vector<Index> images;
         for (const Index v : bases)
-            if (request.maps[0][v] != VertexMap::unmatched) images.push_back(request.maps[0][v]);
+            if (request.maps[0].vertices[v] != VertexMap::unmatched)
+                images.push_back(request.maps[0].vertices[v]);
         if (images.empty()) throw InvalidInput("the map matches none of the farthest-point samples");
         matrices.push_back(matrix(*request.target, images));
         titles.push_back("target: their images");
@@ -80,7 +81,7 @@ std::vector<Index> chosen_vertices(const RenderRequest& request) {
     if (request.target_vertex >= 0) {
         vertices.push_back(checked(request.target_vertex, *request.target, "--target-vertex"));
     } else if (!request.maps.empty()) {
-        vertices.push_back(request.maps[0][vertices[0]]);
+        vertices.push_back(request.maps[0].vertices[vertices[0]]);
         if (vertices[1] == VertexMap::unmatched)
             throw InvalidInput(
                 fmt::format("the map leaves vertex {} unmatched; choose another --vertex", vertices[0]));

@@ -79,25 +79,25 @@ void add_reorder(CLI::App& program) {
     auto command = std::make_shared<ReorderCommand>();
     CLI::App* reorder = program.add_subcommand(
         "reorder", "Write TARGET with the vertex order and faces of SOURCE (same connectivity)");
-    reorder->add_option("SOURCE", command->source, "Mesh file with the wanted order")->required();
-    reorder->add_option("TARGET", command->target, "Mesh file with the wanted shape")->required();
-    reorder
-        ->add_option(
-            "-o,--output", command->output,
-            "Mesh file. From .obj to .obj, positions keep their text and corners their texture coordinates "
-            "and normals; polygons, groups and materials are those of SOURCE. glTF gets the attributes, "
-            "materials and skeleton of TARGET, or of SOURCE if TARGET has none")
+    add_input(*reorder, command->common.files, "SOURCE", command->source, "Mesh file with the wanted order")
+        ->required();
+    add_input(*reorder, command->common.files, "TARGET", command->target, "Mesh file with the wanted shape")
+        ->required();
+    add_output(
+        *reorder, command->common.files, "-o,--output", command->output, Content::mesh,
+        "Mesh file. From .obj to .obj, positions keep their text and corners their texture coordinates "
+        "and normals; polygons, groups and materials are those of SOURCE. glTF gets the attributes, "
+        "materials and skeleton of TARGET, or of SOURCE if TARGET has none")
         ->required();
     reorder->add_flag("--allow-mirror", command->options.allow_mirror,
                       "Also consider orientation-reversing matches");
     reorder
         ->add_option("--weld", command->options.weld_distance,
-                     "First merge vertices up to this far apart, in mesh units; without a value: 0")
-        ->expected(0, 1)
-        ->default_str("off")
-        ->check(CLI::NonNegativeNumber);
+                     "First merge vertices up to this far apart, in mesh units; alone: 0. Default: off")
+        ->type_name("[LENGTH]")
+        ->check(non_negative());
     add_common_options(*reorder, command->common);
-    reorder->callback([command] { run(*command); });
+    on_run(*reorder, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -46,19 +46,19 @@ void add_spectrum(CLI::App& program) {
     auto command = std::make_shared<SpectrumCommand>();
     CLI::App* spectrum =
         program.add_subcommand("spectrum", "Compute Laplace eigenvalues and eigenfunctions of a mesh");
-    spectrum->add_option("MESH", command->mesh, "Mesh file")->required();
-    spectrum->add_option("-o,--output", command->eigenvalues, "Eigenvalues, a vector (.npy)")->required();
-    spectrum->add_option("--functions", command->functions, "Eigenfunctions, vertices x count (.npy)")
-        ->type_name("FILE");
-    spectrum
-        ->add_option("--mass", command->mass,
-                     "Vertex areas (.npy): the mass matrix under which eigenfunctions are orthonormal")
-        ->type_name("FILE");
+    add_input(*spectrum, command->common.files, "MESH", command->mesh, "Mesh file")->required();
+    add_output(*spectrum, command->common.files, "-o,--output", command->eigenvalues, Content::matrix,
+               "Eigenvalues, a vector (.npy)")
+        ->required();
+    add_output(*spectrum, command->common.files, "--functions", command->functions, Content::matrix,
+               "Eigenfunctions, vertices x count (.npy)");
+    add_output(*spectrum, command->common.files, "--mass", command->mass, Content::matrix,
+               "Vertex areas (.npy): the mass matrix under which eigenfunctions are orthonormal");
     spectrum->add_option("--count", command->count, "Number of eigenvalues; 1 to 1000")
-        ->check(CLI::Range(1, 1000))
+        ->check(whole_number(1, 1000))
         ->capture_default_str();
     add_common_options(*spectrum, command->common);
-    spectrum->callback([command] { run(*command); });
+    on_run(*spectrum, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -115,10 +115,15 @@ TransferResult transferred(const TransferCommand& command, const AttributedMesh&
                            const AttributedMesh& target, const TransferOptions& options) {
     if (!command.inverse.empty())
         return transfer_through_inverse(
-            source, target, load_surface_map(command.inverse, target.mesh, source.mesh, command.common),
+            source, target,
+            load_surface_map(command.inverse, {target.mesh, source.mesh, command.target, command.source},
+                             command.common),
             options);
-    return transfer(source, target, load_surface_map(command.map, source.mesh, target.mesh, command.common),
-                    options);
+    return transfer(
+        source, target,
+        surface_map_or_match(command.map, {source.mesh, target.mesh, command.source, command.target},
+                             command.common),
+        options);
 }
 
 void run(const TransferCommand& command) {
@@ -164,18 +169,23 @@ void add_transfer(CLI::App& program) {
     auto command = std::make_shared<TransferCommand>();
     CLI::App* transfer = program.add_subcommand(
         "transfer", "Transfer colors, texture, skin and morph targets from SOURCE to TARGET");
-    transfer
-        ->add_option("SOURCE", command->source, "Mesh file with the attributes: .glb, .gltf, .obj or .ply")
+    add_input(*transfer, command->common.files, "SOURCE", command->source,
+              "Mesh file with the attributes: .glb, .gltf, .obj or .ply")
         ->required();
-    transfer->add_option("TARGET", command->target, "Mesh file that gets them and keeps its shape")
+    add_input(*transfer, command->common.files, "TARGET", command->target,
+              "Mesh file that gets them and keeps its shape")
         ->required();
     CLI::Option* map =
-        transfer->add_option("--map", command->map, "Map from SOURCE to TARGET. Default: the identity")
+        add_input(*transfer, command->common.files, "--map", command->map,
+                  "Map from SOURCE to TARGET. Default: match them first, unless they have the same triangles")
             ->type_name("FILE");
-    transfer->add_option("--inverse", command->inverse, "Map from TARGET to SOURCE, instead of --map")
+    add_input(*transfer, command->common.files, "--inverse", command->inverse,
+              "Map from TARGET to SOURCE, instead of --map")
         ->type_name("FILE")
         ->excludes(map);
-    transfer->add_option("-o,--output", command->output, "Mesh file: .glb or .gltf")->required();
+    add_output(*transfer, command->common.files, "-o,--output", command->output, Content::mesh,
+               "Mesh file: .glb or .gltf")
+        ->required();
     std::vector<std::string> names = {"none"};
     for (const TransferKind& kind : transfer_kinds) names.emplace_back(kind.name);
     transfer
@@ -184,15 +194,15 @@ void add_transfer(CLI::App& program) {
                      "(with the skeleton), morphs, texture; or none. Default: everything SOURCE has")
         ->delimiter(',')
         ->allow_extra_args(false)
-        ->check(CLI::IsMember(names))
+        ->check(one_of(names))
         ->type_name("LIST");
     transfer
         ->add_option("--joints", command->max_influences,
                      "Maximum number of joints per vertex, 1 to 64; 0 = as in SOURCE")
-        ->check(CLI::Range(0, 64))
+        ->check(whole_number(0, 64))
         ->capture_default_str();
     add_common_options(*transfer, command->common);
-    transfer->callback([command] { run(*command); });
+    on_run(*transfer, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

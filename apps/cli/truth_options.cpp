@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "truth_options.hpp"
 
+#include "checks.hpp"
+
 #include <counterpart/io/map_file.hpp>
 
 #include <cmath>
@@ -9,22 +11,18 @@
 
 namespace counterpart::cli {
 
-void add_truth_options(CLI::App& command, TruthOptions& options) {
-    auto* truth =
-        command.add_option("--truth", options.truth, "True map: a file like the map's")->type_name("FILE");
-    auto* source_truth =
-        command
-            .add_option("--source-truth", options.source_truth, "Line k = source vertex of template point k")
-            ->type_name("FILE")
-            ->excludes(truth);
-    auto* target_truth =
-        command
-            .add_option("--target-truth", options.target_truth, "Line k = target vertex of template point k")
-            ->type_name("FILE")
-            ->needs(source_truth);
+void add_truth_options(CLI::App& command, FileArguments& files, TruthOptions& options) {
+    CLI::Option* truth =
+        add_input(command, files, "--truth", options.truth, "True map: a file like the map's");
+    CLI::Option* source_truth = add_input(command, files, "--source-truth", options.source_truth,
+                                          "Line k = source vertex of template point k")
+                                    ->excludes(truth);
+    CLI::Option* target_truth = add_input(command, files, "--target-truth", options.target_truth,
+                                          "Line k = target vertex of template point k")
+                                    ->needs(source_truth);
     source_truth->needs(target_truth);
     command.add_option("--index-base", options.index_base, "Index of the first vertex in the truth files")
-        ->check(CLI::IsMember({0, 1}))
+        ->check(whole_number(0, 1))
         ->capture_default_str();
 }
 
@@ -36,6 +34,12 @@ std::optional<GroundTruth> read_truth(const TruthOptions& options) {
     if (!options.source_truth.empty())
         return truth_from_template(read(options.source_truth), read(options.target_truth));
     return std::nullopt;
+}
+
+EvaluationReport evaluated(const LoadedMap& map, const GroundTruth& truth, const TriangleMesh& source,
+                           const TriangleMesh& target, const EvaluationOptions& options) {
+    return map.points ? evaluate(*map.points, truth, source, target, options)
+                      : evaluate(map.vertices, truth, source, target, options);
 }
 
 Vector mean_vertex_errors(const GroundTruth& truth, const EvaluationReport& report, PairEnd end,

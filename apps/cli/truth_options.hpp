@@ -4,6 +4,9 @@
 // The ground truth on the command line: a true map, or two maps from the points of a template.
 #pragma once
 
+#include "files.hpp"
+#include "load_map.hpp"
+
 #include <counterpart/evaluation/evaluate.hpp>
 
 #include <filesystem>
@@ -19,11 +22,15 @@ struct TruthOptions {
 
     bool given() const { return !truth.empty() || !source_truth.empty(); }
 };
-void add_truth_options(CLI::App& command, TruthOptions& options);
+void add_truth_options(CLI::App& command, FileArguments& files, TruthOptions& options);
 
 /// Nothing if no file is given. Throws IoError, and InvalidInput if the template's files do not fit each
 /// other.
 std::optional<GroundTruth> read_truth(const TruthOptions& options);
+
+/// evaluate() of a map of either kind.
+EvaluationReport evaluated(const LoadedMap& map, const GroundTruth& truth, const TriangleMesh& source,
+                           const TriangleMesh& target, const EvaluationOptions& options);
 
 /// Which vertex of a true pair.
 enum class PairEnd { source, target };

@@ -10,9 +10,9 @@
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/render/camera.hpp>
 #include <counterpart/viewer/viewer_page.hpp>
 
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -26,12 +26,13 @@ struct ViewCommand {
     std::filesystem::path source, target, output;
     std::vector<std::filesystem::path> maps;
     TruthOptions truth;
+    std::string up = "y";
     ViewerOptions options;
 };
 
-std::vector<double> source_errors(const VertexMap& map, const GroundTruth& truth, const TriangleMesh& source,
+std::vector<double> source_errors(const LoadedMap& map, const GroundTruth& truth, const TriangleMesh& source,
                                   const TriangleMesh& target, const EvaluationOptions& options) {
-    const EvaluationReport report = evaluate(map, truth, source, target, options);
+    const EvaluationReport report = evaluated(map, truth, source, target, options);
     const Vector errors = mean_vertex_errors(truth, report, PairEnd::source, source.n_vertices());
     return {errors.begin(), errors.end()};
 }
@@ -50,11 +51,19 @@ void run(const ViewCommand& command) {
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
+    const MeshPair pair{source, target, command.source, command.target};
+    std::vector<LoadedMap> loaded;
     std::vector<ViewerMap> maps;
     for (const std::filesystem::path& file : command.maps) {
-        maps.push_back({file.stem().string(), load_vertex_map(file, source, target)});
+        loaded.push_back(load_map(file, pair));
+        maps.push_back({file.stem().string(), loaded.back().vertices});
+    }
+    if (maps.empty()) {
+        loaded.push_back({matched(pair, command.common), std::nullopt});
+        maps.push_back({"match", loaded.back().vertices});
     }
     ViewerOptions options = command.options;
+    options.up = render::find_camera(source, {.direction = "front", .up = command.up}).row(1).transpose();
     options.source_name = command.source.stem().string();
     options.target_name = command.target.stem().string();
     const std::optional<GroundTruth> truth = read_truth(command.truth);
@@ -63,8 +72,8 @@ void run(const ViewCommand& command) {
     if (truth) {
         const EvaluationOptions evaluation{.n_threads = command.common.threads,
                                            .progress = progress_bar("measuring errors", command.common)};
-        for (ViewerMap& map : maps)
-            map.error = source_errors(map.target_from_source, *truth, source, target, evaluation);
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            maps[i].error = source_errors(loaded[i], *truth, source, target, evaluation);
         options.truth = vertex_truth(*truth, source.n_vertices());
     }
     watch.lap("evaluate");
@@ -93,27 +102,25 @@ void add_view(CLI::App& program) {
     auto command = std::make_shared<ViewCommand>();
     CLI::App* view =
         program.add_subcommand("view", "Write a web page that shows two meshes and the maps between them");
-    view->add_option("SOURCE", command->source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+    add_input(*view, command->common.files, "SOURCE", command->source,
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
-    view->add_option("TARGET", command->target, "Mesh file")->required();
-    view->add_option(
-            "--map", command->maps,
-            "Map file: line i = target vertex of source vertex i, 0-based. Give several to compare them")
-        ->type_name("FILE")
+    add_input(*view, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_input(*view, command->common.files, "--map", command->maps,
+              "Map of either kind. Give several to compare them. Default: match the meshes first");
+    add_output(*view, command->common.files, "-o,--output", command->output, Content::page,
+               "HTML file; opens in any browser, offline")
         ->required();
-    view->add_option("-o,--output", command->output, "HTML file; opens in any browser, offline")->required();
-    add_truth_options(*view, command->truth);
-    view->add_option("--up", command->options.up, "Up axis: x, y or z. Default: y")
-        ->type_name("AXIS")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, UpAxis>{{"x", UpAxis::x}, {"y", UpAxis::y}, {"z", UpAxis::z}},
-            CLI::ignore_case));
+    add_truth_options(*view, command->common.files, command->truth);
+    view->add_option("--up", command->up, "Up axis of SOURCE: auto, x, y, z, -x, -y or -z")
+        ->check(one_of({"auto", "x", "y", "z", "-x", "-y", "-z"}))
+        ->capture_default_str();
     view->add_option("--base", command->options.base_vertex,
                      "Seed vertex of SOURCE for frontiers; -1 = selected automatically")
-        ->check(CLI::Range(-1, 1 << 30))
+        ->check(whole_number(-1, 1 << 30))
         ->capture_default_str();
     add_common_options(*view, command->common);
-    view->callback([command] { run(*command); });
+    on_run(*view, command->common, [command] { run(*command); });
 }
 
 }  // namespace counterpart::cli

@@ -19,11 +19,30 @@ namespace {
 
 using Pairs = std::vector<std::pair<Index, Index>>;
 
-void require_fitting(const VertexMap& map, const GroundTruth& truth, const TriangleMesh& source,
-                     const TriangleMesh& target) {
-    require_valid(source);
-    require_valid(target);
-    require_valid(map, source.n_vertices(), target.n_vertices());
+// The ways to an image: a vertex, and the straight line from there.
+struct Way {
+    Index vertex;
+    double line;
+};
+using Ways = std::vector<Way>;
+
+Ways ways_to(const SurfacePoint& point, const TriangleMesh& target) {
+    if (!point.matched()) return {};
+    Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
+    for (int c = 0; c < 3; ++c)
+        position += point.weights[c] * target.vertices.row(target.triangles(point.triangle, c));
+    Eigen::Index largest = 0;
+    Ways ways;
+    if (point.weights.maxCoeff(&largest) == 1)
+        return {{target.triangles(point.triangle, static_cast<int>(largest)), 0}};
+    for (int c = 0; c < 3; ++c) {
+        const Index corner = target.triangles(point.triangle, c);
+        ways.push_back({corner, (target.vertices.row(corner) - position).norm()});
+    }
+    return ways;
+}
+
+void require_fitting(const GroundTruth& truth, const TriangleMesh& source, const TriangleMesh& target) {
     if (truth.pairs.empty()) throw InvalidInput("the ground truth is empty: there is nothing to measure");
     for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
         const auto [s, t] = truth.pairs[k];
@@ -98,12 +117,12 @@ CorrespondenceCost base_vertex_cost(const TriangleMesh& target, const DistanceGr
     return cost_of(distances, area);
 }
 
-}  // namespace
-
-EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
-                          const TriangleMesh& source, const TriangleMesh& target,
-                          const EvaluationOptions& options) {
-    require_fitting(target_from_source, truth, source, target);
+// `corners`: the image as a vertex; `ways_of`: the ways to a source vertex's image.
+template <class WaysOf>
+EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, const GroundTruth& truth,
+                           const TriangleMesh& source, const TriangleMesh& target,
+                           const EvaluationOptions& options) {
+    require_fitting(truth, source, target);
     EvaluationReport report;
     report.thresholds = thresholds_of(options);
     report.target_area = surface_area(target);
@@ -111,26 +130,58 @@ EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth
         throw InvalidInput("the target has no area, which errors are measured relative to");
 
     report.n_pairs = static_cast<Index>(truth.pairs.size());
-    Pairs matched;  // (true, mapped)
-    std::vector<Index> pair_of_matched;
+    Pairs matched, searched;  // (true, mapped), one per pair and one per way
+    std::vector<Index> pair_of_matched, matched_of_searched;
+    std::vector<double> line;
     for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
-        const Index mapped = target_from_source[truth.pairs[k].first];
-        if (mapped == VertexMap::unmatched) continue;
-        matched.emplace_back(truth.pairs[k].second, mapped);
+        const auto [from, to] = truth.pairs[k];
+        if (corners[from] == VertexMap::unmatched) continue;
+        for (const Way& way : ways_of(from)) {
+            searched.emplace_back(to, way.vertex);
+            matched_of_searched.push_back(static_cast<Index>(matched.size()));
+            line.push_back(way.line);
+        }
+        matched.emplace_back(to, corners[from]);
         pair_of_matched.push_back(static_cast<Index>(k));
-        report.n_exact += mapped == truth.pairs[k].second;
+        report.n_exact += corners[from] == to;
     }
     report.n_unmatched = report.n_pairs - static_cast<Index>(matched.size());
 
     const DistanceGraph graph(target, {.shortcuts = options.shortcuts});
-    const Vector found = pair_distances(graph, matched, {options.n_threads, options.progress});
+    const Vector found = pair_distances(graph, searched, {options.n_threads, options.progress});
+    std::vector<double> distances(matched.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < searched.size(); ++i) {
+        double& least = distances[static_cast<std::size_t>(matched_of_searched[i])];
+        least = std::min(least, found[static_cast<Eigen::Index>(i)] + line[i]);
+    }
     report.error = Vector::Constant(report.n_pairs, std::numeric_limits<double>::quiet_NaN());
-    for (std::size_t i = 0; i < matched.size(); ++i)
-        report.error[pair_of_matched[i]] = found[static_cast<Eigen::Index>(i)];
-    summarize_errors({found.begin(), found.end()}, report);
+    for (std::size_t i = 0; i < matched.size(); ++i) report.error[pair_of_matched[i]] = distances[i];
+    summarize_errors(distances, report);
     if (options.n_base_vertices != 0)
         report.base_vertex_cost = base_vertex_cost(target, graph, matched, report.target_area, options);
     return report;
+}
+
+}  // namespace
+
+EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
+                          const TriangleMesh& source, const TriangleMesh& target,
+                          const EvaluationOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    require_valid(target_from_source, source.n_vertices(), target.n_vertices());
+    const auto ways_of = [&](Index v) { return Ways{{target_from_source[v], 0}}; };
+    return evaluated(target_from_source, ways_of, truth, source, target, options);
+}
+
+EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
+                          const TriangleMesh& source, const TriangleMesh& target,
+                          const EvaluationOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    require_valid(target_from_source, source.n_vertices(), target.n_triangles());
+    const auto ways_of = [&](Index v) { return ways_to(target_from_source[v], target); };
+    return evaluated(nearest_corners(target_from_source, target), ways_of, truth, source, target, options);
 }
 
 }  // namespace counterpart

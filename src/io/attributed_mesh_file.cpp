@@ -37,7 +37,7 @@ AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const
 }
 
 void write_attributed_mesh(const AttributedMesh& content, const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
+    const std::string extension = mesh_extension(file);
     if (is_gltf(file)) return write_gltf(content, file);
     if (extension != ".obj" && extension != ".ply") return write_mesh(content.mesh, file);
     try {

@@ -17,6 +17,9 @@
 
 namespace counterpart::io {
 
+/// The extension that decides the format; standard output gets OBJ.
+std::string mesh_extension(const std::filesystem::path& file);
+
 MeshFile read_off(std::string_view bytes, const std::string& name);
 MeshFile read_obj(std::string_view bytes, const std::string& name);
 MeshFile read_ply(std::string_view bytes, const std::string& name);

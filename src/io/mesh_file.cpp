@@ -31,7 +31,7 @@ constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
                                             {".stl", read_stl, stl_bytes}}};
 
 const Format& format_of(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
+    const std::string extension = mesh_extension(file);
     const auto* found = std::find_if(formats.begin(), formats.end(),
                                      [&](const Format& format) { return format.extension == extension; });
     if (found == formats.end()) {
@@ -43,6 +43,11 @@ const Format& format_of(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string io::mesh_extension(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension.empty() && file == "/dev/stdout" ? ".obj" : extension;
+}
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
     if (is_gltf(file)) {

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& file, const char* what, int error) {
-    throw IoError(fmt::format("{}: {} ({})", file.string(), what, std::strerror(error)));
+    throw WriteError(fmt::format("{}: {} ({})", file.string(), what, std::strerror(error)));
 }
 
 class Descriptor {
@@ -69,7 +69,9 @@ Destination destination_of(const fs::path& file) {
 }
 
 void write_in_place(std::string_view bytes, const fs::path& file) {
-    const Descriptor stream(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    // Standard output may be a socket, which cannot be opened by its name.
+    const Descriptor stream(file == "/dev/stdout" ? ::dup(STDOUT_FILENO)
+                                                  : ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (!stream.is_open()) fail(file, "cannot be written", errno);
     if (const int error = write_all(stream, bytes); error != 0) fail(file, "could not be written", error);
 }

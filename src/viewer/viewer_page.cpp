@@ -93,10 +93,9 @@ Eigen::Quaterniond source_from_target_rotation(const TriangleMesh& source, const
     return Eigen::Quaterniond(numerics::fit_rotation(covariance).rotation).normalized();
 }
 
-Eigen::Quaterniond upright(UpAxis up) {
-    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(static_cast<int>(up));
-    // Turned about the axis of the third coordinate where there is a choice: +z up shows the -y side.
-    return numerics::shortest_rotation(axis, Eigen::Vector3d::UnitY());
+// +z up shows the -y side.
+Eigen::Quaterniond upright(const Eigen::Vector3d& up) {
+    return numerics::shortest_rotation(up.normalized(), Eigen::Vector3d::UnitY());
 }
 
 Json to_json(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
@@ -120,6 +119,8 @@ void require_fit(const ViewerOptions& options, const TriangleMesh& source, const
             throw InvalidInput(fmt::format("truth: {}", error.what()));
         }
     }
+    if (!(options.up.allFinite() && options.up.squaredNorm() > 0))
+        throw InvalidInput("the direction that points up must not be 0");
     if (options.base_vertex < -1 || options.base_vertex >= source.n_vertices())
         throw InvalidInput(fmt::format("base vertex {} is not in the source; give 0 to {}",
                                        options.base_vertex, source.n_vertices() - 1));

@@ -150,12 +150,12 @@ refuse 1 "out of range" match body.off pose.off $fast --landmarks bad.txt -o non
 refuse 2 "basis-size" match body.off pose.off --method spectral --basis-size 3 -o none.txt
 
 # ---- what is doubtful is said ----
-run match body.off inside_out.off $fast -o map.txt && says "target: inside out"
+run match body.off inside_out.off $fast -o map.txt && says "inside_out.off: inside out"
 cmp -s map.txt same.txt || fail "an inside-out mesh was not matched with itself"
-run match mirrored.off body.off $fast -o map.txt && says "source: inside out" && says "mirror image"
+run match mirrored.off body.off $fast -o map.txt && says "mirrored.off: inside out" && says "mirror image"
 cmp -s map.txt same.txt || fail "a reflected mesh was not matched with itself"
 run match mixed.off body.off $fast -o map.txt && says "inconsistently oriented triangle"
-run match body.off holes.off $fast -o map.txt && says "target: open"
+run match body.off holes.off $fast -o map.txt && says "holes.off: open"
 run match seams.off body.off $fast -o map.txt && says "duplicate vert"
 run match pieces.off body.off $fast -o map.txt && says "2 components" && says "1 small component"
 run match fins.off body.off $fast -o map.txt && says "more than two triangles" && says "1 vertex in no triangle"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <counterpart/base/progress.hpp>
+#include <counterpart/map/surface_map.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -75,6 +76,13 @@ struct EvaluationReport {
 /// an invalid mesh, a map or truth that does not fit the meshes, an empty truth, a target without area, or
 /// thresholds that do not increase.
 EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
+                          const TriangleMesh& source, const TriangleMesh& target,
+                          const EvaluationOptions& options = {});
+
+/// The same of a surface map: the distance to a point of a triangle is the least, over its corners, of the
+/// distance to the corner and the straight line from there; exact is a point whose nearest corner (largest
+/// weight) is the true vertex. A surface map whose points are vertices is evaluated as the vertex map.
+EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
                           const TriangleMesh& source, const TriangleMesh& target,
                           const EvaluationOptions& options = {});
 

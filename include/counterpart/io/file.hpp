@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/errors.hpp>
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +14,11 @@ struct ReadOptions {
     /// Follow what a glTF file names outside its own folder: absolute paths, "..", links that lead out. Off,
     /// such a file is refused, because what it names would become part of what is written.
     bool allow_external = false;
+};
+
+/// A file cannot be written: no such folder, no permission, a full disk, a closed pipe.
+struct WriteError : IoError {
+    using IoError::IoError;
 };
 
 /// The extension in lower case, with its dot: ".obj" for "Mesh.OBJ". It decides the format.
@@ -26,8 +33,8 @@ std::string read_whole_file(const std::filesystem::path& file);
 /// Writes `bytes` to `file` whole or not at all: beside it first, then renamed. Links are followed, and the
 /// permissions of a file that is replaced are kept. Devices and pipes (/dev/stdout, a FIFO) are written in
 /// place. Several threads and processes may write one file: one of them wins. What a writer that was killed
-/// left beside the file is removed. Throws IoError naming file and reason, also for a file that may not be
-/// written.
+/// left beside the file is removed. Throws WriteError naming file and reason, also for a file that may not
+/// be written.
 void write_file(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace counterpart

@@ -19,15 +19,13 @@ struct ViewerMap {
     std::vector<double> error{};
 };
 
-/// The coordinate axis that points up on the screen.
-enum class UpAxis { x, y, z };
-
 struct ViewerOptions {
     std::string source_name = "source", target_name = "target";
     /// True target vertex of each source vertex, or VertexMap::unmatched where unknown. Empty = no ground
     /// truth.
     std::vector<Index> truth{};
-    UpAxis up = UpAxis::y;
+    /// The direction, in the source's coordinates, that points up on the screen; not 0.
+    Eigen::Vector3d up = Eigen::Vector3d::UnitY();
     /// The seed vertex of the source for frontiers; -1 = selected by the page, at an end of the source.
     Index base_vertex = -1;
 };

@@ -171,6 +171,29 @@ TEST(Evaluate, DoesNotDependOnUnitsOrThreads) {
     EXPECT_DOUBLE_EQ(64 * one.cost.raw, other.cost.raw);
 }
 
+TEST(Evaluate, ASurfaceMapAtVerticesIsTheVertexMap) {
+    const GroundTruth truth = identity_but_some();
+    const EvaluationReport vertices = score(mixed_map(), truth);
+    const EvaluationReport points = evaluate(surface_map_of(mixed_map(), torus()), truth, torus(), torus());
+    EXPECT_EQ(points.n_exact, vertices.n_exact);
+    EXPECT_EQ(points.n_unmatched, vertices.n_unmatched);
+    EXPECT_EQ(points.mean_error, vertices.mean_error);
+    EXPECT_EQ(points.fraction_within, vertices.fraction_within);
+}
+
+TEST(Evaluate, APointWithinATriangleIsAsFarAsItsNearestWayOut) {
+    const TriangleMesh mesh = torus();
+    SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), mesh);
+    const Index corner = mesh.triangles(0, 0);
+    map.image[static_cast<std::size_t>(corner)] = {0, {0.6, 0.4, 0}};
+    const EvaluationReport report = evaluate(map, GroundTruth{{{corner, corner}}}, mesh, mesh);
+    const double edge = (mesh.vertices.row(corner) - mesh.vertices.row(mesh.triangles(0, 1))).norm();
+    EXPECT_NEAR(report.error[0], 0.4 * edge, 1e-12 * edge);
+    EXPECT_EQ(report.n_exact, 1);
+    map.target_triangles -= 1;
+    EXPECT_THROW(evaluate(map, GroundTruth{{{corner, corner}}}, mesh, mesh), InvalidInput);
+}
+
 TEST(GroundTruth, OfTemplatesLeavesOutUnmatchedPoints) {
     const GroundTruth truth = truth_from_template({{4, -1, 4, 2}, 5}, {{1, 1, -1, 0}, 2});
     EXPECT_EQ(truth.pairs, (std::vector<std::pair<Index, Index>>{{4, 1}, {2, 0}}));

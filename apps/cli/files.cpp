@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "files.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/file.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace counterpart::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* standard_output = "/dev/stdout";
+
+// The endings of each content; nothing: any that belongs to no other content.
+struct Endings {
+    const char* what;
+    std::vector<std::string> fitting;
+};
+
+const Endings& endings_of(Content content) {
+    static const std::map<Content, Endings> endings = {
+        {Content::mesh, {"a mesh", {".off", ".obj", ".ply", ".stl", ".glb", ".gltf"}}},
+        {Content::matrix, {"a matrix", {".npy"}}},
+        {Content::page, {"a web page", {".html", ".htm"}}},
+        {Content::picture, {"a picture", {".png", ".svg"}}},
+        {Content::map, {"a map", {}}},
+        {Content::table, {"a table", {}}},
+        {Content::report, {"a report", {}}},
+        {Content::frames, {"the frames", {}}},
+        {Content::prefix, {"maps", {}}}};
+    return endings.at(content);
+}
+
+// Endings that promise something else to whoever opens the file.
+std::string other_content(const fs::path& file, Content content) {
+    const std::string ending = lower_extension(file);
+    const auto is_one_of = [&](const std::vector<std::string>& endings) {
+        return std::find(endings.begin(), endings.end(), ending) != endings.end();
+    };
+    for (const Content other : {Content::mesh, Content::page, Content::picture})
+        if (is_one_of(endings_of(other).fitting)) return endings_of(other).what;
+    if (ending == ".npy" && content != Content::map) return "a matrix";
+    if (is_one_of({".npz", ".mat", ".zip", ".gz"})) return "an archive";
+    if (is_one_of({".jpg", ".jpeg", ".exr", ".tga"})) return "a picture";
+    if (is_one_of({".fbx", ".usd", ".dae", ".abc", ".blend"})) return "a scene";
+    return "";
+}
+
+void require_fitting_ending(const FileArgument& argument, const fs::path& file) {
+    const Endings& endings = endings_of(*argument.written);
+    if (!endings.fitting.empty()) {
+        const std::string ending = lower_extension(file);
+        if (std::find(endings.fitting.begin(), endings.fitting.end(), ending) != endings.fitting.end())
+            return;
+        throw InvalidInput(fmt::format("{} {}: the name of {} must end in {}", argument.option, file.string(),
+                                       endings.what, fmt::join(endings.fitting, ", ")));
+    }
+    if (*argument.written == Content::frames || *argument.written == Content::prefix) return;
+    if (const std::string other = other_content(file, *argument.written); !other.empty())
+        throw InvalidInput(fmt::format("{} {}: this is to be {}, but the ending is that of {}",
+                                       argument.option, file.string(), endings.what, other));
+}
+
+bool is_regular_or_new(const fs::path& file) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+}
+
+void require_writable(const FileArgument& argument, const fs::path& file) {
+    const auto refuse = [&](const std::string& reason) {
+        throw WriteError(fmt::format("{} {}: {}", argument.option, file.string(), reason));
+    };
+    std::error_code ignored;
+    struct stat state = {};
+    const bool exists = ::stat(file.c_str(), &state) == 0;
+    if (exists && S_ISDIR(state.st_mode)) {
+        if (*argument.written == Content::frames || *argument.written == Content::prefix) return;
+        refuse("is a folder; name a file in it");
+    }
+    constexpr unsigned any_write_bit = 0222;
+    if (exists && S_ISREG(state.st_mode) && (state.st_mode & any_write_bit) == 0)
+        refuse("is read-only");  // also to root, who could replace it
+    if (exists && ::access(file.c_str(), W_OK) != 0)
+        refuse(fmt::format("cannot be written ({})", std::strerror(errno)));
+    if (*argument.written == Content::frames || (exists && !S_ISREG(state.st_mode))) return;
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (!fs::exists(folder, ignored))
+        refuse(fmt::format("there is no folder {}; create it first", folder.string()));
+    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
+    if (!exists && ::access(folder.c_str(), W_OK | X_OK) != 0)
+        refuse(fmt::format("the folder cannot be written ({})", std::strerror(errno)));
+}
+
+std::vector<fs::path*> files_of(const FileArgument& argument) {
+    if (argument.file != nullptr) return {argument.file};
+    std::vector<fs::path*> files;
+    for (fs::path& file : *argument.several) files.push_back(&file);
+    return files;
+}
+
+void require_distinct(const FileArguments& files, std::size_t written, const fs::path& output) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const bool is_earlier_output = files[i].written && i < written;
+        if (files[i].written && !is_earlier_output) continue;
+        for (const fs::path* other : files_of(files[i])) {
+            if (other->empty() || !is_same_file(*other, output)) continue;
+            if (!files[i].written)
+                throw InvalidInput(fmt::format("{} {} would replace {}, which is read; write to another file",
+                                               files[written].option, output.string(), files[i].option));
+            throw InvalidInput(fmt::format("{} and {} both name {}; give each a file of its own",
+                                           files[i].option, files[written].option, output.string()));
+        }
+    }
+}
+
+std::string name_of(const std::string& names) {  // the last: "-o,--output" is --output
+    return names.substr(names.rfind(',') + 1);
+}
+
+}  // namespace
+
+CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,
+                       const std::string& help) {
+    files.push_back({name_of(name), &file, nullptr, {}});
+    CLI::Option* option = command.add_option(name, file, help);
+    return name[0] == '-' ? option->type_name("FILE") : option;
+}
+
+CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name,
+                       std::vector<fs::path>& several, const std::string& help) {
+    files.push_back({name_of(name), nullptr, &several, {}});
+    CLI::Option* option = command.add_option(name, several, help);
+    return name[0] == '-' ? option->type_name("FILE") : option;
+}
+
+CLI::Option* add_output(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,
+                        Content content, const std::string& help) {
+    files.push_back({name_of(name), &file, nullptr, content});
+    return command.add_option(name, file, help)->type_name("FILE");
+}
+
+void check_files(const FileArguments& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (!files[i].written || files[i].file->empty()) continue;
+        fs::path& output = *files[i].file;
+        if (output == "-") output = standard_output;
+        const bool is_stream = !is_regular_or_new(output) && !fs::is_directory(output);
+        // A stream without an ending takes what is written as text.
+        if (!is_stream || output.has_extension()) require_fitting_ending(files[i], output);
+        require_writable(files[i], output);
+        if (!is_stream || output == standard_output) require_distinct(files, i, output);
+    }
+}
+
+void print(const std::string& text) {
+    const bool whole =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (!whole)
+        throw WriteError(fmt::format("standard output: could not be written ({})", std::strerror(errno)));
+}
+
+}  // namespace counterpart::cli
