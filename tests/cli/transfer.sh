@@ -270,7 +270,6 @@ refuse 1 "the inverse map" transfer character.glb coarse.obj --map coarse.txt -o
 refuse 1 "but its source mesh has" transfer character.glb fine.obj --map coarse.txt -o none.glb
 echo "1 2" > bad.txt
 refuse 1 "bad.txt:1: " transfer character.glb copy.glb --map bad.txt -o none.glb
-refuse 1 "give a map with --map" transfer character.glb fine.obj -o none.glb
 refuse 1 "copy.glb has no weights; it has nothing" transfer copy.glb again.glb --map map.txt --what weights -o none.glb
 refuse 1 "static.glb has no weights; it has colors, uv, normals, morphs, texture" \
   transfer static.glb copy.glb --map map.txt --what colors,weights -o none.glb
