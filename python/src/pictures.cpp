@@ -66,10 +66,10 @@ Scene map_scene(const std::vector<PlacedMesh>& placed, const VertexMap& map, con
     throw InvalidInput("a map cannot be shown as '" + show + "': colors, checker or lines");
 }
 
-UpAxis axis_from_name(const std::string& name) {
-    if (name == "x") return UpAxis::x;
-    if (name == "y") return UpAxis::y;
-    if (name == "z") return UpAxis::z;
+Eigen::Vector3d axis_from_name(const std::string& name) {
+    if (name == "x") return Eigen::Vector3d::UnitX();
+    if (name == "y") return Eigen::Vector3d::UnitY();
+    if (name == "z") return Eigen::Vector3d::UnitZ();
     throw InvalidInput("there is no up axis '" + name + "': x, y or z");
 }
 
