@@ -33,8 +33,8 @@ Json measured(const TriangleMesh& first, const Points& last, const std::vector<P
         const MorphQuality quality =
             measure_morph(first, last, time, frames[k], k == 0 ? first.vertices : frames[k - 1]);
         const MorphQuality linear =
-            measure_morph(first, last, time, (1 - time) * first.vertices + time * last,
-                          (1 - before_time) * first.vertices + before_time * last);
+            measure_morph(first, last, time, Points((1 - time) * first.vertices + time * last),
+                          Points((1 - before_time) * first.vertices + before_time * last));
         rows.push_back({{"time", time},
                         {"mean_edge_error", quality.mean_edge_error},
                         {"volume_ratio", quality.volume_ratio},

@@ -17,9 +17,7 @@
 namespace counterpart::cli {
 namespace {
 
-Frontiers frontiers_of(const TriangleMesh& mesh, Index source) {
-    return bfs_frontiers(Adjacency(mesh), source);
-}
+Frontiers frontiers_of(MeshView mesh, Index source) { return bfs_frontiers(Adjacency(mesh), source); }
 
 Image draw_frontiers(const RenderRequest& request) {
     Scene scene;
@@ -32,7 +30,7 @@ Image draw_frontiers(const RenderRequest& request) {
 }
 
 Image draw_shortcuts(const RenderRequest& request) {
-    const TriangleMesh& mesh = request.source;
+    MeshView mesh = request.source;
     const Index center = chosen_vertices(request)[0];
     double radius = request.radius;
     if (radius == 0) {  // a few rings around the vertex
@@ -77,7 +75,7 @@ FrontierInSpace take_frontier(const PlacedMesh& placed, const Frontiers& frontie
 }
 
 /// The largest connected frontier, else the largest.
-Index clearest_frontier(const TriangleMesh& mesh, const Frontiers& frontiers) {
+Index clearest_frontier(MeshView mesh, const Frontiers& frontiers) {
     const FrontierLoops loops = frontier_loops(Adjacency(mesh), frontiers);
     const auto size_if_whole = [&](Index k) {
         const auto i = static_cast<std::size_t>(k);
@@ -91,7 +89,7 @@ Index clearest_frontier(const TriangleMesh& mesh, const Frontiers& frontiers) {
 
 /// Turns points of the picture so that their widest extent lies across, and they are seen from slightly
 /// beside the direction in which they are flattest: frontiers are loops, and edge-on a loop is a line.
-Eigen::Matrix3d facing_view(const Points& points) {
+Eigen::Matrix3d facing_view(PointsView points) {
     const Points centered = points.rowwise() - points.colwise().mean();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
         Eigen::Matrix3d(centered.transpose() * centered));

@@ -31,8 +31,8 @@ EvaluationReport score(const RenderRequest& request, const LoadedMap& map, std::
 }
 
 /// Fills vertices without a value from their neighbors.
-Vector filled(const Vector& values, const TriangleMesh& mesh) {
-    return transfer_to_target(values.replicate(1, 3), identity_map(mesh.n_vertices()), mesh).col(0);
+Vector filled(const Vector& values, MeshView mesh) {
+    return transfer_to_target(Points(values.replicate(1, 3)), identity_map(mesh.n_vertices()), mesh).col(0);
 }
 
 Image draw_error(const RenderRequest& request) {

@@ -20,7 +20,7 @@ Image draw_plain(const RenderRequest& request) {
     return request.paint(scene);
 }
 
-FarthestPointSamples sample_bases(const RenderRequest& request, const TriangleMesh& mesh) {
+FarthestPointSamples sample_bases(const RenderRequest& request, MeshView mesh) {
     FarthestPointOptions options;
     options.count = request.n_bases;
     options.radius = request.radius;
@@ -42,7 +42,7 @@ Image draw_matrix(const RenderRequest& request) {
     const Vector from_tip = distances_from(graph, chosen_vertices(request)[0]);
     std::sort(bases.begin(), bases.end(),
               [&](Index a, Index b) { return std::pair(from_tip[a], a) < std::pair(from_tip[b], b); });
-    const auto matrix = [&](const TriangleMesh& mesh, const std::vector<Index>& rows) {
+    const auto matrix = [&](MeshView mesh, const std::vector<Index>& rows) {
         const Matrix all = distance_rows(DistanceGraph(mesh), rows, {.n_threads = request.common.threads});
         Matrix square(rows.size(), rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -63,9 +63,9 @@ Image draw_matrix(const RenderRequest& request) {
     return matrix_picture(matrices, titles, request.width, request.height);
 }
 
-Index tip(const TriangleMesh& mesh) { return critical_points(mesh, DistanceGraph(mesh)).vertices.at(0); }
+Index tip(MeshView mesh) { return critical_points(mesh, DistanceGraph(mesh)).vertices.at(0); }
 
-Index checked(Index v, const TriangleMesh& mesh, const char* option) {
+Index checked(Index v, MeshView mesh, const char* option) {
     if (v >= mesh.n_vertices())
         throw InvalidInput(fmt::format("{} {} is not a vertex: vertices run from 0 to {}", option, v,
                                        mesh.n_vertices() - 1));

@@ -21,8 +21,7 @@ int spread(const Eigen::Matrix3d& moments) {
 
 }  // namespace
 
-Affine fit_transform(const Points& source, const Points& target, TransformModel model,
-                     const Vector& weights) {
+Affine fit_transform(PointsView source, PointsView target, TransformModel model, const Vector& weights) {
     const Eigen::Index count = source.rows();
     const Eigen::Index least = model == TransformModel::affine ? 4 : 3;
     if (target.rows() != count || (weights.size() != 0 && weights.size() != count))

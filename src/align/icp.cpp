@@ -19,8 +19,7 @@
 namespace counterpart {
 namespace {
 
-void require_usable(const TriangleMesh& source, const TriangleMesh& target, const SurfaceMap& known,
-                    const IcpOptions& options) {
+void require_usable(MeshView source, MeshView target, const SurfaceMap& known, const IcpOptions& options) {
     require_valid(source);
     require_valid(target);
     if (known.source_size() > 0) require_valid(known, source.n_vertices(), target.n_triangles());
@@ -46,7 +45,7 @@ Vector kept_pairs(const Vector& squared_distances, double trim) {
 }
 
 // Rows are the principal axes of the points about their mean, the longest first, right-handed.
-Eigen::Matrix3d principal_axes(const Points& centered) {
+Eigen::Matrix3d principal_axes(PointsView centered) {
     Eigen::Matrix3d axes = numerics::symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered))
                                .vectors.transpose()
                                .colwise()
@@ -72,8 +71,8 @@ std::vector<Eigen::Matrix3d> axis_rotations() {
 
 }  // namespace
 
-IcpResult icp(const TriangleMesh& source, const TriangleMesh& target, const Affine& start,
-              const SurfaceMap& known, const IcpOptions& options) {
+IcpResult icp(MeshView source, MeshView target, const Affine& start, const SurfaceMap& known,
+              const IcpOptions& options) {
     require_usable(source, target, known, options);
     std::vector<Index> pairs;
     for (Index v = 0; v < known.source_size(); ++v)
@@ -118,8 +117,7 @@ IcpResult icp(const TriangleMesh& source, const TriangleMesh& target, const Affi
     return result;
 }
 
-IcpResult icp_from_principal_axes(const TriangleMesh& source, const TriangleMesh& target,
-                                  const IcpOptions& options) {
+IcpResult icp_from_principal_axes(MeshView source, MeshView target, const IcpOptions& options) {
     require_usable(source, target, {}, options);
     const Eigen::RowVector3d source_mean = source.vertices.colwise().mean(),
                              target_mean = target.vertices.colwise().mean();

@@ -9,7 +9,7 @@
 
 namespace counterpart {
 
-Similarity align_centroids(const Points& source, const Points& target) {
+Similarity align_centroids(PointsView source, PointsView target) {
     if (source.rows() == 0 || target.rows() == 0)
         throw InvalidInput("align_centroids: both point sets need at least one point");
     Similarity motion;
@@ -17,8 +17,7 @@ Similarity align_centroids(const Points& source, const Points& target) {
     return motion;
 }
 
-Similarity kabsch(const Points& source, const Points& target, const Vector& weights,
-                  const KabschOptions& options) {
+Similarity kabsch(PointsView source, PointsView target, const Vector& weights, const KabschOptions& options) {
     if (source.rows() != target.rows() || source.rows() == 0)
         throw InvalidInput(fmt::format("kabsch: needs two sets of the same number of points, not {} and {}",
                                        source.rows(), target.rows()));

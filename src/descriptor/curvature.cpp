@@ -6,7 +6,7 @@
 
 namespace counterpart {
 
-Vector mean_curvature(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian) {
+Vector mean_curvature(MeshView mesh, const LaplaceBeltrami& laplacian) {
     if (laplacian.mass.size() != mesh.n_vertices())
         throw InvalidInput("mean_curvature: the Laplacian belongs to another mesh");
     const Points laplace_of_position = laplacian.stiffness * mesh.vertices;

@@ -26,7 +26,7 @@ struct Way {
 };
 using Ways = std::vector<Way>;
 
-Ways ways_to(const SurfacePoint& point, const TriangleMesh& target) {
+Ways ways_to(const SurfacePoint& point, MeshView target) {
     if (!point.matched()) return {};
     Eigen::RowVector3d position = Eigen::RowVector3d::Zero();
     for (int c = 0; c < 3; ++c)
@@ -42,7 +42,7 @@ Ways ways_to(const SurfacePoint& point, const TriangleMesh& target) {
     return ways;
 }
 
-void require_fitting(const GroundTruth& truth, const TriangleMesh& source, const TriangleMesh& target) {
+void require_fitting(const GroundTruth& truth, MeshView source, MeshView target) {
     if (truth.pairs.empty()) throw InvalidInput("the ground truth is empty: there is nothing to measure");
     for (std::size_t k = 0; k < truth.pairs.size(); ++k) {
         const auto [s, t] = truth.pairs[k];
@@ -107,7 +107,7 @@ void summarize_errors(const std::vector<double>& distances, EvaluationReport& re
     report.cost = cost_of(distances, report.target_area);
 }
 
-CorrespondenceCost base_vertex_cost(const TriangleMesh& target, const DistanceGraph& graph,
+CorrespondenceCost base_vertex_cost(MeshView target, const DistanceGraph& graph,
                                     const Pairs& pairs, double area, const EvaluationOptions& options) {
     const SampledDistances distance(graph,
                                     farthest_point_samples(target, graph, {.count = options.n_base_vertices}),
@@ -120,7 +120,7 @@ CorrespondenceCost base_vertex_cost(const TriangleMesh& target, const DistanceGr
 // `corners`: the image as a vertex; `ways_of`: the ways to a source vertex's image.
 template <class WaysOf>
 EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, const GroundTruth& truth,
-                           const TriangleMesh& source, const TriangleMesh& target,
+                           MeshView source, MeshView target,
                            const EvaluationOptions& options) {
     require_fitting(truth, source, target);
     EvaluationReport report;
@@ -165,7 +165,7 @@ EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, cons
 }  // namespace
 
 EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
-                          const TriangleMesh& source, const TriangleMesh& target,
+                          MeshView source, MeshView target,
                           const EvaluationOptions& options) {
     require_valid(source);
     require_valid(target);
@@ -175,7 +175,7 @@ EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth
 }
 
 EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
-                          const TriangleMesh& source, const TriangleMesh& target,
+                          MeshView source, MeshView target,
                           const EvaluationOptions& options) {
     require_valid(source);
     require_valid(target);

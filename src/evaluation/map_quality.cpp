@@ -7,8 +7,7 @@
 
 namespace counterpart {
 
-MapQuality map_quality(const VertexMap& target_from_source, const TriangleMesh& source,
-                       const TriangleMesh& target) {
+MapQuality map_quality(const VertexMap& target_from_source, MeshView source, MeshView target) {
     require_valid(source);
     require_valid(target);
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());

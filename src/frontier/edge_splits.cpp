@@ -45,7 +45,7 @@ void plan(EdgeSplits& splits, const std::vector<Index>& cost, double n_vertices,
 // Cuts triangles, making the new vertices of an edge when it is first met.
 class Cutter {
   public:
-    Cutter(const TriangleMesh& mesh, const Frontiers& frontiers, const std::vector<Index>& per_gap)
+    Cutter(MeshView mesh, const Frontiers& frontiers, const std::vector<Index>& per_gap)
         : mesh_(mesh), frontiers_(frontiers), per_gap_(per_gap), next_(mesh.n_vertices()) {}
 
     TriangleMesh cut() {
@@ -103,7 +103,7 @@ class Cutter {
         return result;
     }
 
-    const TriangleMesh& mesh_;
+    MeshView mesh_;
     const Frontiers& frontiers_;
     const std::vector<Index>& per_gap_;
     Index next_;
@@ -114,7 +114,7 @@ class Cutter {
 
 }  // namespace
 
-EdgeSplits split_edges_for_depth(const TriangleMesh& mesh, const Frontiers& frontiers, double max_growth) {
+EdgeSplits split_edges_for_depth(MeshView mesh, const Frontiers& frontiers, double max_growth) {
     EdgeSplits splits;
     splits.n_original = mesh.n_vertices();
     const Adjacency adjacency(mesh);

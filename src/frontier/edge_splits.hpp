@@ -23,6 +23,6 @@ struct EdgeSplits {
 /// connectivity. (Triangles are split along their orientation, which must agree too.) Gives up, with
 /// `reached` false, when the mesh would grow to more than `max_growth` times its vertices. Only the component
 /// of the source is split. O(new V).
-EdgeSplits split_edges_for_depth(const TriangleMesh& mesh, const Frontiers& frontiers, double max_growth = 8);
+EdgeSplits split_edges_for_depth(MeshView mesh, const Frontiers& frontiers, double max_growth = 8);
 
 }  // namespace counterpart::frontier

@@ -14,7 +14,7 @@ namespace counterpart::frontier {
 namespace {
 
 struct PairSide {
-    const TriangleMesh& mesh;
+    MeshView mesh;
     const Adjacency& adjacency;
 };
 
@@ -157,8 +157,8 @@ Index eccentric_vertex(const Adjacency& adjacency, Index start, int n_walks) {
     return best;
 }
 
-SeedSelection select_seeds(const TriangleMesh& source, const Adjacency& source_adjacency,
-                           std::span<const Index> source_candidates, const TriangleMesh& target,
+SeedSelection select_seeds(MeshView source, const Adjacency& source_adjacency,
+                           std::span<const Index> source_candidates, MeshView target,
                            const Adjacency& target_adjacency, std::span<const Index> target_candidates,
                            const SeedSelectionOptions& options) {
     const Selector selector({source, source_adjacency}, {target, target_adjacency}, options);

@@ -32,8 +32,8 @@ struct SeedSelectionOptions {
 /// the vertex of the largest sum of hop counts among those met in a few farthest-vertex walks. Since a true
 /// partner always passes, a candidate without any match means that the connectivity differs. Throws
 /// InvalidInput for a candidate that does not exist. About O(V) per candidate.
-SeedSelection select_seeds(const TriangleMesh& source, const Adjacency& source_adjacency,
-                           std::span<const Index> source_candidates, const TriangleMesh& target,
+SeedSelection select_seeds(MeshView source, const Adjacency& source_adjacency,
+                           std::span<const Index> source_candidates, MeshView target,
                            const Adjacency& target_adjacency, std::span<const Index> target_candidates,
                            const SeedSelectionOptions& options = {});
 

@@ -12,7 +12,7 @@ constexpr std::uint64_t child = 1, sibling = 2;  // roles, so that a child is no
 
 }  // namespace
 
-std::vector<std::uint64_t> subtree_hashes(const TriangleMesh& mesh, const Adjacency& adjacency,
+std::vector<std::uint64_t> subtree_hashes(MeshView mesh, const Adjacency& adjacency,
                                           const Frontiers& frontiers) {
     std::vector<std::uint32_t> n_triangles(to_size(adjacency.n_vertices()), 0);
     for (Index t = 0; t < mesh.n_triangles(); ++t)

@@ -17,7 +17,7 @@ namespace counterpart::frontier {
 /// Corresponding vertices have equal hashes; vertices with equal hashes have, up to collisions, subtrees that
 /// connectivity does not tell apart. The hash of the source describes its whole component. Unreached vertices
 /// have 0. O(V + E).
-std::vector<std::uint64_t> subtree_hashes(const TriangleMesh& mesh, const Adjacency& adjacency,
+std::vector<std::uint64_t> subtree_hashes(MeshView mesh, const Adjacency& adjacency,
                                           const Frontiers& frontiers);
 
 }  // namespace counterpart::frontier

@@ -118,7 +118,7 @@ std::vector<Peak> on_hull_of_embedding(const std::vector<Peak>& candidates, cons
 
 }  // namespace
 
-CriticalPoints critical_points(const TriangleMesh& mesh, const DistanceGraph& graph,
+CriticalPoints critical_points(MeshView mesh, const DistanceGraph& graph,
                                const CriticalPointOptions& options) {
     if (options.n_bases < 4 || !(options.min_prominence >= 0))
         throw InvalidInput(fmt::format(

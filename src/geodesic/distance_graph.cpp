@@ -19,7 +19,7 @@
 namespace counterpart {
 namespace {
 
-void require_measurable(const TriangleMesh& mesh) {
+void require_measurable(MeshView mesh) {
     require_valid(mesh);
     const double spread =
         (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
@@ -41,7 +41,7 @@ struct EdgeSides {
     std::vector<EdgeSide> sides;
 };
 
-EdgeSides edge_sides(const TriangleMesh& mesh, const std::vector<Index>& rank) {
+EdgeSides edge_sides(MeshView mesh, const std::vector<Index>& rank) {
     const auto rank_of = [&](Index t, int corner) {
         return rank[static_cast<std::size_t>(mesh.triangles(t, corner % 3))];
     };
@@ -121,7 +121,7 @@ std::size_t sort_hubs_first(std::vector<Index>& apexes, const Unfolding& unfoldi
 
 }  // namespace
 
-DistanceGraph::DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOptions& options) {
+DistanceGraph::DistanceGraph(MeshView mesh, const DistanceGraphOptions& options) {
     require_measurable(mesh);
     vertex_of_rank_ = numerics::space_filling_order(mesh.vertices);
     rank_of_vertex_.resize(vertex_of_rank_.size());

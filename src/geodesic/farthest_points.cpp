@@ -16,8 +16,7 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-void require_options(const TriangleMesh& mesh, const DistanceGraph& graph,
-                     const FarthestPointOptions& options) {
+void require_options(MeshView mesh, const DistanceGraph& graph, const FarthestPointOptions& options) {
     if (mesh.n_vertices() != graph.n_vertices())
         throw InvalidInput(fmt::format("the mesh has {} vertices, its distance graph {}", mesh.n_vertices(),
                                        graph.n_vertices()));
@@ -29,7 +28,7 @@ void require_options(const TriangleMesh& mesh, const DistanceGraph& graph,
 }
 
 // The vertex to begin each component with, the component with most vertices first.
-std::vector<Index> beginnings(const TriangleMesh& mesh) {
+std::vector<Index> beginnings(MeshView mesh) {
     const Components components = connected_components(Adjacency(mesh));
     const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
     struct Beginning {
@@ -70,7 +69,7 @@ Index farthest(const Vector& distance) {
 
 }  // namespace
 
-FarthestPointSamples farthest_point_samples(const TriangleMesh& mesh, const DistanceGraph& graph,
+FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& graph,
                                             const FarthestPointOptions& options) {
     require_options(mesh, graph, options);
     const auto n = static_cast<std::size_t>(mesh.n_vertices());

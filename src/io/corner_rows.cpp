@@ -48,7 +48,7 @@ void require_consistent(const AttributedMesh& content) {
             fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));
 }
 
-std::optional<Matrix> one_row_per_vertex(const CornerAttribute& attribute, const TriangleMesh& mesh) {
+std::optional<Matrix> one_row_per_vertex(const CornerAttribute& attribute, MeshView mesh) {
     if (attribute.values.rows() == 0) return {};
     Matrix rows = Matrix::Zero(mesh.n_vertices(), attribute.values.cols());
     std::vector<Index> row_of(static_cast<std::size_t>(mesh.n_vertices()), -1);

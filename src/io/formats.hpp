@@ -31,9 +31,9 @@ AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string
 std::string obj_bytes(const AttributedMesh& content);
 std::string ply_bytes(const AttributedMesh& content);
 
-std::string off_bytes(const TriangleMesh& mesh);
-std::string obj_bytes(const TriangleMesh& mesh);
-std::string ply_bytes(const TriangleMesh& mesh);
-std::string stl_bytes(const TriangleMesh& mesh);
+std::string off_bytes(MeshView mesh);
+std::string obj_bytes(MeshView mesh);
+std::string ply_bytes(MeshView mesh);
+std::string stl_bytes(MeshView mesh);
 
 }  // namespace counterpart::io

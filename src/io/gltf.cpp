@@ -27,7 +27,7 @@ std::string weld_key(const GltfPrimitive& primitive, Eigen::Index v) {
         add(primitive.skin.weights(v, k) != 0 ? primitive.skin.joints(v, k) : 0);
         add(primitive.skin.weights(v, k));
     }
-    for (const Points& displacement : primitive.displacements)
+    for (PointsView displacement : primitive.displacements)
         for (int c = 0; c < 3; ++c) add(displacement(v, c));
     return key;
 }

@@ -24,7 +24,7 @@ void gather_vertices(const std::vector<Index>& vertices, const AttributedMesh& c
 
 // The values of one attribute at the primitive's vertices; those without a triangle keep `otherwise`. No rows
 // if the triangles have none; nothing if two corners disagree.
-std::optional<Matrix> at_vertices(const CornerAttribute& attribute, const Triangles& triangles,
+std::optional<Matrix> at_vertices(const CornerAttribute& attribute, TrianglesView triangles,
                                   Index first_triangle, Eigen::Index n_vertices, const Matrix* otherwise) {
     if (attribute.values.rows() == 0) return Matrix();
     Matrix values = Matrix::Zero(n_vertices, attribute.values.cols());

@@ -188,7 +188,7 @@ void remove_empty(Stored& stored, const std::vector<GltfPrimitive>& wanted) {
 }
 
 void store(Stored& stored, const AttributedMesh& content) {
-    const TriangleMesh& before = stored.file.content.mesh;
+    MeshView before = stored.file.content.mesh;
     const auto parts = triangles_of_parts(content, stored.primitives.size());
     const bool same_surface = before.n_vertices() == content.mesh.n_vertices() &&
                               before.n_triangles() == content.mesh.n_triangles() &&

@@ -13,13 +13,13 @@
 namespace counterpart {
 namespace {
 
-Index nearest_vertex(const TriangleMesh& mesh, const Eigen::RowVector3d& point) {
+Index nearest_vertex(MeshView mesh, const Eigen::RowVector3d& point) {
     Eigen::Index nearest = 0;
     (mesh.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
     return static_cast<Index>(nearest);
 }
 
-Index vertex_number(double value, const char* side, const TriangleMesh& mesh, const io::TextCursor& text) {
+Index vertex_number(double value, const char* side, MeshView mesh, const io::TextCursor& text) {
     if (value != std::floor(value)) text.fail(fmt::format("{} is not a vertex number", value));
     if (value < 0 || value >= mesh.n_vertices())
         text.fail(fmt::format("{} vertex {} is out of range: the mesh has {} vertices, counted from 0", side,
@@ -29,8 +29,8 @@ Index vertex_number(double value, const char* side, const TriangleMesh& mesh, co
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file,
-                                                    const TriangleMesh& source, const TriangleMesh& target) {
+std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file, MeshView source,
+                                                    MeshView target) {
     const std::string bytes = read_whole_file(file);
     io::TextCursor text(bytes, file.string());
     std::vector<std::pair<Index, Index>> landmarks;

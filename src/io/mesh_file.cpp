@@ -22,7 +22,7 @@ namespace {
 struct Format {
     std::string_view extension;
     MeshFile (*read)(std::string_view bytes, const std::string& name);
-    std::string (*bytes)(const TriangleMesh& mesh);
+    std::string (*bytes)(MeshView mesh);
 };
 
 constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
@@ -64,10 +64,10 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
     }
 }
 
-void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file) {
+void write_mesh(MeshView mesh, const std::filesystem::path& file) {
     if (is_gltf(file)) {
         AttributedMesh content;
-        content.mesh = mesh;
+        content.mesh = mesh.copy();
         write_gltf(content, file);
         return;
     }

@@ -61,7 +61,7 @@ MeshFile read_obj(std::string_view bytes, const std::string& name) {
     return mesh.finish();
 }
 
-std::string obj_bytes(const TriangleMesh& mesh) {
+std::string obj_bytes(MeshView mesh) {
     std::string text;
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         text += 'v';

@@ -90,8 +90,8 @@ void append_corner(std::string& bytes, Index vertex, const CornerAttributes& cor
 
 class Writer {
   public:
-    Writer(const ObjText& source, const ObjText& target, const VertexMap& map, const Triangles& triangles,
-           const Triangles& corners)
+    Writer(const ObjText& source, const ObjText& target, const VertexMap& map, TrianglesView triangles,
+           TrianglesView corners)
         : source_(source), target_(target), map_(map), triangles_(triangles), corners_(corners) {}
 
     // The source's lines in their order, with what is the target's in the place of what was the source's.
@@ -147,8 +147,8 @@ class Writer {
     const ObjText& source_;
     const ObjText& target_;
     const VertexMap& map_;
-    const Triangles& triangles_;
-    const Triangles& corners_;
+    TrianglesView triangles_;
+    TrianglesView corners_;
     std::string bytes_;
     Index n_positions_ = 0, n_triangles_ = 0;
     bool has_attributes_ = false;
@@ -157,8 +157,8 @@ class Writer {
 }  // namespace
 
 std::string reorder_obj(std::string_view source_text, std::string_view target_text,
-                        const VertexMap& target_from_source, const Triangles& source_triangles,
-                        const Triangles& target_corner_from_source) {
+                        const VertexMap& target_from_source, TrianglesView source_triangles,
+                        TrianglesView target_corner_from_source) {
     const ObjText source = parse(source_text), target = parse(target_text);
     require_valid(target_from_source, static_cast<Index>(source.positions.size()),
                   static_cast<Index>(target.positions.size()));

@@ -95,7 +95,7 @@ MeshFile read_off(std::string_view bytes, const std::string& name) {
     return mesh.finish();
 }
 
-std::string off_bytes(const TriangleMesh& mesh) {
+std::string off_bytes(MeshView mesh) {
     std::string text = fmt::format("OFF\n{} {} 0\n", mesh.n_vertices(), mesh.n_triangles());
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         for (int k = 0; k < 3; ++k) {

@@ -300,7 +300,7 @@ MeshFile read_ply(std::string_view bytes, const std::string& name) {
     return read_ply_columns(bytes, {.of_vertices = false, .of_corners = false}, name).file;
 }
 
-std::string ply_bytes(const TriangleMesh& mesh) {
+std::string ply_bytes(MeshView mesh) {
     std::string bytes = fmt::format(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
         "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",

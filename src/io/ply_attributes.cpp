@@ -42,7 +42,7 @@ Matrix columns_named(const PlyColumns& columns, std::initializer_list<const char
     return found;
 }
 
-CornerAttribute per_vertex(Matrix values, const Triangles& triangles) {
+CornerAttribute per_vertex(Matrix values, TrianglesView triangles) {
     if (values.rows() == 0) return {};
     return {std::move(values), triangles};
 }
@@ -75,7 +75,7 @@ struct CornerHash {
 
 // Corners that agree share a row, so that no seam is where there is none.
 CornerAttribute corner_coordinates(const PlyColumns& columns) {
-    const Triangles& triangles = columns.file.mesh.triangles;
+    TrianglesView triangles = columns.file.mesh.triangles;
     std::unordered_map<CornerCoordinates, Index, CornerHash> rows;
     std::vector<double> values;
     CornerAttribute attribute;
@@ -121,7 +121,7 @@ Written what_to_write(const AttributedMesh& content) {
     return written;
 }
 
-std::string header_of(const TriangleMesh& mesh, const Written& written) {
+std::string header_of(MeshView mesh, const Written& written) {
     std::string text =
         fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.n_vertices());
     const auto add = [&](const char* type, std::initializer_list<const char*> names) {
@@ -159,7 +159,7 @@ void append_vertex(std::string& bytes, Index v, const Written& written) {
 
 AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string& name) {
     PlyColumns columns = read_ply_columns(bytes, {}, name);
-    const Triangles& triangles = columns.file.mesh.triangles;
+    TrianglesView triangles = columns.file.mesh.triangles;
     AttributedMeshFile result;
     result.content.normals = per_vertex(columns_named(columns, {"nx", "ny", "nz"}), triangles);
     CornerAttribute uv = corner_coordinates(columns);
@@ -177,7 +177,7 @@ AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string
 }
 
 std::string ply_bytes(const AttributedMesh& content) {
-    const TriangleMesh& mesh = content.mesh;
+    MeshView mesh = content.mesh;
     const Written written = what_to_write(content);
     std::string bytes = header_of(mesh, written);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {

@@ -102,7 +102,7 @@ MeshFile read_stl(std::string_view bytes, const std::string& name) {
     return result;
 }
 
-std::string stl_bytes(const TriangleMesh& mesh) {
+std::string stl_bytes(MeshView mesh) {
     std::string bytes = "binary STL";
     bytes.resize(header_size, ' ');
     bytes.reserve(prefix_size + static_cast<std::size_t>(mesh.n_triangles()) * facet_size);

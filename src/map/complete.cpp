@@ -8,8 +8,7 @@
 
 namespace counterpart {
 
-CompletedMap complete_map(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                          const TriangleMesh& target) {
+CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target) {
     require_valid(target_from_source, source.n_vertices(), target.n_triangles());
     CompletedMap result{target_from_source, {.transferred = count_matched(target_from_source)}};
     if (result.coverage.transferred == 0) throw InvalidInput("the map matches no vertex");

@@ -21,8 +21,7 @@ namespace {
 
 // Source triangles whose images bridge a tear: one of their edges is far longer than the map's stretch
 // explains.
-std::vector<char> torn_triangles(const TriangleMesh& source, const Points& images,
-                                 const TriangleMesh& target) {
+std::vector<char> torn_triangles(MeshView source, PointsView images, MeshView target) {
     const double scale = std::sqrt(surface_area(target) / surface_area(source));
     const double allowance = 2 * mean_edge_length(target);
     constexpr double most_stretch = 4;
@@ -45,7 +44,7 @@ class SourceNearby {
   public:
     TriangleMesh laid_out;  // the source at its images
 
-    SourceNearby(const SurfaceMap& map, const TriangleMesh& source, const TriangleMesh& target)
+    SourceNearby(const SurfaceMap& map, MeshView source, MeshView target)
         : laid_out{image_positions(map, target), source.triangles},
           torn_(torn_triangles(source, laid_out.vertices, target)),
           adjacency_(target),
@@ -89,8 +88,8 @@ class SourceNearby {
 
 }  // namespace
 
-SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                  const TriangleMesh& target, const InvertOptions& options) {
+SurfaceMap invert(const SurfaceMap& target_from_source, MeshView source, MeshView target,
+                  const InvertOptions& options) {
     require_valid(source);
     require_valid(target);
     require_valid(target_from_source, source.n_vertices(), target.n_triangles());
@@ -124,8 +123,8 @@ SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& sour
     return result;
 }
 
-MapPair with_inverse(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                     const TriangleMesh& target, const WithInverseOptions& options) {
+MapPair with_inverse(const SurfaceMap& target_from_source, MeshView source, MeshView target,
+                     const WithInverseOptions& options) {
     if (!(options.tolerance > 0)) throw InvalidInput("tolerance must be above 0");
     if (options.rounds < 0 || options.rounds > 100)
         throw InvalidInput(fmt::format("rounds must be in 0 .. 100, not {}", options.rounds));

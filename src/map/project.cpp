@@ -30,8 +30,7 @@ Corners sorted(Corners corners) {
 
 // For each source vertex whether all triangles around it go to triangles of the target; all false if less
 // than `least_share` of the triangles do.
-std::vector<char> exact_vertices(const TriangleMesh& source, const TriangleMesh& target, const VertexMap& map,
-                                 double least_share) {
+std::vector<char> exact_vertices(MeshView source, MeshView target, const VertexMap& map, double least_share) {
     std::vector<Corners> known;
     known.reserve(static_cast<std::size_t>(target.n_triangles()));
     for (Index t = 0; t < target.n_triangles(); ++t)
@@ -68,8 +67,8 @@ std::vector<Index> neighborhood(const Adjacency& adjacency, Index vertex, int ri
 
 // Where the vertex goes by a linear fit, over the tangent plane at `vertex`, through the images of its
 // matched neighbors.
-Eigen::Vector3d fitted_image(const TriangleMesh& source, const Eigen::RowVector3d& normal,
-                             const std::vector<Index>& neighbors, const Points& images, Index vertex) {
+Eigen::Vector3d fitted_image(MeshView source, const Eigen::RowVector3d& normal,
+                             const std::vector<Index>& neighbors, PointsView images, Index vertex) {
     const Eigen::RowVector3d center = source.vertices.row(vertex);
     const Eigen::RowVector3d x_axis = normal.unitOrthogonal(), y_axis = normal.cross(x_axis);
     double farthest = 0;
@@ -103,7 +102,7 @@ void require_usable(const ProjectOptions& options) {
 
 // What stays the same over the passes.
 struct Projection {
-    const TriangleMesh &source, &target;
+    MeshView source, &target;
     Adjacency adjacency{source}, target_adjacency{target};
     mesh::Fans fans{target.triangles, target.n_vertices()};
     Points normals = vertex_normals(source);
@@ -127,8 +126,7 @@ struct Projection {
         return triangles;
     }
 
-    SurfacePoint improved(const SurfaceMap& map, const VertexMap& nearest, const Points& images,
-                          Index v) const {
+    SurfacePoint improved(const SurfaceMap& map, const VertexMap& nearest, PointsView images, Index v) const {
         std::vector<Index> neighbors = neighborhood(adjacency, v, rings);
         std::erase_if(neighbors, [&](Index w) { return !map[w].matched(); });
         constexpr std::size_t least = 4;  // three determine the fit exactly and even nothing out
@@ -142,8 +140,8 @@ struct Projection {
 
 }  // namespace
 
-SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
-                       const VertexMap& target_from_source, const ProjectOptions& options) {
+SurfaceMap project_map(MeshView source, MeshView target, const VertexMap& target_from_source,
+                       const ProjectOptions& options) {
     require_valid(source);
     require_valid(target);
     require_usable(options);

@@ -33,7 +33,7 @@ void require_valid(const SurfaceMap& map, Index source_size, Index target_triang
     }
 }
 
-SurfaceMap surface_map_of(const VertexMap& target_from_source, const TriangleMesh& target) {
+SurfaceMap surface_map_of(const VertexMap& target_from_source, MeshView target) {
     require_valid(target_from_source, target_from_source.source_size(), target.n_vertices());
     std::vector<SurfacePoint> place(static_cast<std::size_t>(target.n_vertices()));
     for (Index t = target.n_triangles(); t-- > 0;) {
@@ -47,7 +47,7 @@ SurfaceMap surface_map_of(const VertexMap& target_from_source, const TriangleMes
     return map;
 }
 
-VertexMap nearest_corners(const SurfaceMap& target_from_source, const TriangleMesh& target) {
+VertexMap nearest_corners(const SurfaceMap& target_from_source, MeshView target) {
     require_valid(target_from_source, target_from_source.source_size(), target.n_triangles());
     std::vector<Index> image;
     image.reserve(target_from_source.image.size());
@@ -59,8 +59,7 @@ VertexMap nearest_corners(const SurfaceMap& target_from_source, const TriangleMe
     return {std::move(image), target.n_vertices()};
 }
 
-Matrix transfer_values(const SurfaceMap& target_from_source, const TriangleMesh& target,
-                       const Matrix& values) {
+Matrix transfer_values(const SurfaceMap& target_from_source, MeshView target, const Matrix& values) {
     require_valid(target_from_source, target_from_source.source_size(), target.n_triangles());
     if (values.rows() != target.n_vertices()) {
         throw InvalidInput(fmt::format("{} rows of values were given for {} target vertices", values.rows(),
@@ -83,7 +82,7 @@ Matrix transfer_values(const SurfaceMap& target_from_source, const TriangleMesh&
     return result;
 }
 
-Points image_positions(const SurfaceMap& target_from_source, const TriangleMesh& target) {
+Points image_positions(const SurfaceMap& target_from_source, MeshView target) {
     return transfer_values(target_from_source, target, target.vertices);
 }
 

@@ -16,7 +16,7 @@ namespace {
 // A rough guess for poses that differ: 5000 vertices took half a minute to a minute and a half on one core.
 double estimated_minutes(Index larger) { return std::pow(larger / 5000.0, 3); }
 
-void require_size(const TriangleMesh& source, const TriangleMesh& target, Index max_vertices) {
+void require_size(MeshView source, MeshView target, Index max_vertices) {
     const Index larger = std::max(source.n_vertices(), target.n_vertices());
     if (larger <= max_vertices) return;
     const double gigabytes = 8e-9 * source.n_vertices() * target.n_vertices();
@@ -30,8 +30,7 @@ void require_size(const TriangleMesh& source, const TriangleMesh& target, Index 
 
 }  // namespace
 
-AssignmentResult match_assignment(const TriangleMesh& source, const TriangleMesh& target,
-                                  const AssignmentOptions& options) {
+AssignmentResult match_assignment(MeshView source, MeshView target, const AssignmentOptions& options) {
     require_valid(source);
     require_valid(target);
     require_size(source, target, options.max_vertices);

@@ -21,8 +21,8 @@ using namespace isomorphism;
 using common_part::DartPair;
 
 // Components that both meshes have whole: geometry says which of several equal ones is missing.
-std::vector<DartPair> match_equal_components(const TriangleMesh& source, const TriangleMesh& target,
-                                             const DartMap& a, const DartMap& b) {
+std::vector<DartPair> match_equal_components(MeshView source, MeshView target, const DartMap& a,
+                                             const DartMap& b) {
     const Classification found = classify_components(a, b);
     std::vector<AutomorphismGroup> groups;
     for (const ComponentClass& kind : found.classes)
@@ -43,8 +43,8 @@ struct SharedPart {
     bool reversed = false, ambiguous = false;
 };
 
-SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& target, const DartMap& a,
-                            const DartMap& b, const Progress& progress) {
+SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, const DartMap& b,
+                            const Progress& progress) {
     const std::vector<DartPair> equal = match_equal_components(source, target, a, b);
     report_progress(progress, 0.2);
     const common_part::PairSide source_side(source, a), target_side(target, b);
@@ -67,7 +67,7 @@ SharedPart find_shared_part(const TriangleMesh& source, const TriangleMesh& targ
     return {std::move(map), match.reversed, match.ambiguous};
 }
 
-void list_unmatched(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& partner,
+void list_unmatched(MeshView source, MeshView target, const std::vector<Index>& partner,
                     MeshDifferences& differences) {
     std::vector<bool> has_vertex(to_size(target.n_vertices()), false),
         has_triangle(to_size(target.n_triangles()), false);
@@ -103,8 +103,7 @@ std::vector<Index> matched_vertices(const VertexMap& map) {
     return matched;
 }
 
-std::string summarize(const TriangleMesh& source, const TriangleMesh& target,
-                      const MeshDifferences& differences) {
+std::string summarize(MeshView source, MeshView target, const MeshDifferences& differences) {
     if (differences.n_matched_triangles == 0)
         return "the two meshes share no part that chance would not explain: they do not come from one mesh";
     return fmt::format(
@@ -119,7 +118,7 @@ std::string summarize(const TriangleMesh& source, const TriangleMesh& target,
             : "");
 }
 
-MeshDifferences find(const TriangleMesh& source, const TriangleMesh& target, const Progress& progress) {
+MeshDifferences find(MeshView source, MeshView target, const Progress& progress) {
     report_progress(progress, 0);
     DartMap a, b;
     parallel_invoke([&] { a = make_dart_map(source); }, [&] { b = make_dart_map(target); });
@@ -148,8 +147,7 @@ MeshDifferences find(const TriangleMesh& source, const TriangleMesh& target, con
 
 }  // namespace
 
-MeshDifferences find_differences(const TriangleMesh& source, const TriangleMesh& target,
-                                 const DifferencesOptions& options) {
+MeshDifferences find_differences(MeshView source, MeshView target, const DifferencesOptions& options) {
     require_valid(source);
     require_valid(target);
     return with_threads(options.n_threads, [&] { return find(source, target, options.progress); });

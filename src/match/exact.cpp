@@ -267,8 +267,7 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
     return found;
 }
 
-ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& target,
-                           const ExactOptions& options) {
+ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
     ExactResult result;
     report_progress(options.progress, 0);
     DartMap a, b;
@@ -311,9 +310,8 @@ ExactResult match_unwelded(const TriangleMesh& source, const TriangleMesh& targe
 
 // The map between the welded meshes taken back to all duplicates, corner by corner: so each gets the
 // duplicate on its own side of the seam.
-VertexMap unwelded(const VertexMap& welded_map, const Triangles& corners, const TriangleMesh& source,
-                   const TriangleMesh& target, const WeldResult& welded_source,
-                   const WeldResult& welded_target) {
+VertexMap unwelded(const VertexMap& welded_map, TrianglesView corners, MeshView source, MeshView target,
+                   const WeldResult& welded_source, const WeldResult& welded_target) {
     std::vector<Index> map(to_size(source.n_vertices()), VertexMap::unmatched);
     for (Index t = 0; t < source.n_triangles(); ++t) {
         for (int c = 0; c < 3; ++c) {
@@ -332,8 +330,7 @@ VertexMap unwelded(const VertexMap& welded_map, const Triangles& corners, const 
     return {std::move(map), target.n_vertices()};
 }
 
-ExactResult match_welded(const TriangleMesh& source, const TriangleMesh& target,
-                         const ExactOptions& options) {
+ExactResult match_welded(MeshView source, MeshView target, const ExactOptions& options) {
     const WeldResult welded_source = weld(source, {options.weld_distance}),
                      welded_target = weld(target, {options.weld_distance});
     ExactResult result = match_unwelded(welded_source.mesh, welded_target.mesh, options);
@@ -353,7 +350,7 @@ ExactResult match_welded(const TriangleMesh& source, const TriangleMesh& target,
 
 }  // namespace
 
-ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target, const ExactOptions& options) {
+ExactResult match_exact(MeshView source, MeshView target, const ExactOptions& options) {
     require_valid(source);
     require_valid(target);
     if (options.max_alternatives < 0) throw InvalidInput("max_alternatives must be 0 or more");

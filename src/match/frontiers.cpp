@@ -17,7 +17,7 @@
 namespace counterpart {
 namespace {
 
-void require_usable(const TriangleMesh& source, const TriangleMesh& target, const FrontiersOptions& options) {
+void require_usable(MeshView source, MeshView target, const FrontiersOptions& options) {
     require_valid(source);
     require_valid(target);
     if ((options.source_seed < 0) != (options.target_seed < 0))
@@ -57,7 +57,7 @@ Vector edge_confidence(const Adjacency& source, const Adjacency& target, const V
 
 class FrontiersMatch {
   public:
-    FrontiersMatch(const TriangleMesh& source, const TriangleMesh& target, const FrontiersOptions& options)
+    FrontiersMatch(MeshView source, MeshView target, const FrontiersOptions& options)
         : source_(source), target_(target), options_(options) {}
 
     FrontiersResult run() {
@@ -140,7 +140,7 @@ class FrontiersMatch {
         return given;
     }
 
-    const TriangleMesh &source_, &target_;
+    MeshView source_, target_;
     const FrontiersOptions& options_;
     std::vector<frontiers::ComponentMesh> source_parts_, target_parts_;
     std::vector<Index> image_;  // of the components matched so far
@@ -151,8 +151,7 @@ class FrontiersMatch {
 
 }  // namespace
 
-FrontiersResult match_frontiers(const TriangleMesh& source, const TriangleMesh& target,
-                                const FrontiersOptions& options) {
+FrontiersResult match_frontiers(MeshView source, MeshView target, const FrontiersOptions& options) {
     require_usable(source, target, options);
     return with_threads(options.n_threads, [&] { return FrontiersMatch(source, target, options).run(); });
 }

@@ -30,7 +30,7 @@ Progress never_decreasing(const Progress& progress) {
 // One matcher run on one pair; each step fills in the result or leaves it to the next.
 class Matching {
   public:
-    Matching(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options)
+    Matching(MeshView source, MeshView target, const MatchOptions& options)
         : source_(source), target_(target), options_(options), progress_(never_decreasing(options.progress)) {
         require_valid(source);
         require_valid(target);
@@ -205,8 +205,8 @@ class Matching {
         return std::move(result_);
     }
 
-    const TriangleMesh& source_;
-    const TriangleMesh& target_;
+    MeshView source_;
+    MeshView target_;
     const MatchOptions& options_;
     const Progress progress_;
     Stopwatch watch_;
@@ -234,7 +234,7 @@ std::string to_string(MatchMethod method) {
     return "unknown";
 }
 
-MatchResult match(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options) {
+MatchResult match(MeshView source, MeshView target, const MatchOptions& options) {
     Matching matching(source, target, options);
     return options.method == MatchMethod::automatic ? matching.automatic() : matching.by_name();
 }

@@ -12,7 +12,7 @@
 namespace counterpart {
 namespace {
 
-Affine alignment(const TriangleMesh& source, const TriangleMesh& target, const NearestOptions& options) {
+Affine alignment(MeshView source, MeshView target, const NearestOptions& options) {
     if (options.alignment == NearestAlignment::similarity)
         return icp_from_principal_axes(source, target,
                                        {.model = TransformModel::similarity,
@@ -27,8 +27,7 @@ Affine alignment(const TriangleMesh& source, const TriangleMesh& target, const N
 
 }  // namespace
 
-NearestResult match_nearest(const TriangleMesh& source, const TriangleMesh& target,
-                            const NearestOptions& options) {
+NearestResult match_nearest(MeshView source, MeshView target, const NearestOptions& options) {
     require_valid(source);
     require_valid(target);
     const Points moved = alignment(source, target, options)(source.vertices);

@@ -41,7 +41,7 @@ void require_valid(const SpectralOptions& options, std::size_t n_source, std::si
 
 }  // namespace
 
-SpectralShape::SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options) {
+SpectralShape::SpectralShape(MeshView mesh, const SpectralShapeOptions& options) {
     shape_ = with_threads(options.n_threads, [&, shape = checked(options)] {
         return std::make_shared<const PreparedShape>(prepare(mesh, shape));
     });
@@ -56,8 +56,8 @@ SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& 
     });
 }
 
-SpectralResult match_spectral(const TriangleMesh& source, const TriangleMesh& target,
-                              const SpectralOptions& options, const SpectralShapeOptions& shape_options) {
+SpectralResult match_spectral(MeshView source, MeshView target, const SpectralOptions& options,
+                              const SpectralShapeOptions& shape_options) {
     const PreparationOptions preparation = checked(shape_options);
     require_valid(options, static_cast<std::size_t>(source.n_vertices()),
                   static_cast<std::size_t>(target.n_vertices()));

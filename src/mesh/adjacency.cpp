@@ -6,7 +6,7 @@
 
 namespace counterpart {
 
-Adjacency::Adjacency(const TriangleMesh& mesh) : first_(static_cast<std::size_t>(mesh.n_vertices()) + 1, 0) {
+Adjacency::Adjacency(MeshView mesh) : first_(static_cast<std::size_t>(mesh.n_vertices()) + 1, 0) {
     const auto n = static_cast<std::size_t>(mesh.n_vertices());
     // Every corner contributes its two other corners; counting sort by vertex, then sort and deduplicate each
     // row.

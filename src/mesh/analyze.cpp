@@ -16,14 +16,14 @@ namespace counterpart {
 namespace {
 
 // Triangle t has corners 3 t, 3 t + 1, 3 t + 2.
-Index n_corners(const TriangleMesh& mesh) {
+Index n_corners(MeshView mesh) {
     if (mesh.n_triangles() > std::numeric_limits<Index>::max() / 3)
         throw InvalidInput("analyze: more than 715827882 triangles");
     return 3 * mesh.n_triangles();
 }
 
 // The corners around a vertex form fans: sets connected through edges at the vertex.
-mesh::DisjointSets fans_of_corners(const TriangleMesh& mesh, const mesh::EdgeTable& edges) {
+mesh::DisjointSets fans_of_corners(MeshView mesh, const mesh::EdgeTable& edges) {
     mesh::DisjointSets fans(n_corners(mesh));
     const auto corner_at = [](const mesh::EdgeTable::HalfEdge& side, bool low) {
         const int c = low == side.forward ? side.corner : (side.corner + 1) % 3;
@@ -39,7 +39,7 @@ mesh::DisjointSets fans_of_corners(const TriangleMesh& mesh, const mesh::EdgeTab
 }
 
 // Number of the component of each vertex, -1 for isolated ones.
-std::vector<Index> number_components(const TriangleMesh& mesh, Index& count) {
+std::vector<Index> number_components(MeshView mesh, Index& count) {
     mesh::DisjointSets sets(mesh.n_vertices());
     std::vector<Index> number(static_cast<std::size_t>(mesh.n_vertices()), -1);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
@@ -61,7 +61,7 @@ std::vector<Index> number_components(const TriangleMesh& mesh, Index& count) {
 
 // A loop goes from boundary edge to boundary edge through the fan that they bound, so that loops that only
 // touch at a vertex stay apart.
-void count_boundary_loops(const TriangleMesh& mesh, const mesh::EdgeTable& edges, mesh::DisjointSets& fans,
+void count_boundary_loops(MeshView mesh, const mesh::EdgeTable& edges, mesh::DisjointSets& fans,
                           const std::vector<Index>& component, MeshReport& report) {
     std::vector<Index> edge_at_fan(static_cast<std::size_t>(n_corners(mesh)), -1);
     mesh::DisjointSets loops(edges.n_edges());
@@ -82,7 +82,7 @@ void count_boundary_loops(const TriangleMesh& mesh, const mesh::EdgeTable& edges
     }
 }
 
-void count_edges(const TriangleMesh& mesh, const mesh::EdgeTable& edges, const std::vector<Index>& component,
+void count_edges(MeshView mesh, const mesh::EdgeTable& edges, const std::vector<Index>& component,
                  MeshReport& report) {
     mesh::DisjointSets turned(mesh.n_triangles());  // two colors: to keep, and to flip
     for (Index e = 0; e < edges.n_edges(); ++e) {
@@ -105,7 +105,7 @@ void count_edges(const TriangleMesh& mesh, const mesh::EdgeTable& edges, const s
     }
 }
 
-void count_fans(const TriangleMesh& mesh, mesh::DisjointSets& fans, const std::vector<Index>& component,
+void count_fans(MeshView mesh, mesh::DisjointSets& fans, const std::vector<Index>& component,
                 MeshReport& report) {
     std::vector<Index> n_fans(static_cast<std::size_t>(mesh.n_vertices()), 0);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
@@ -120,7 +120,7 @@ void count_fans(const TriangleMesh& mesh, mesh::DisjointSets& fans, const std::v
     }
 }
 
-Index count_duplicate_triangles(const TriangleMesh& mesh) {
+Index count_duplicate_triangles(MeshView mesh) {
     std::vector<std::array<Index, 3>> keys;
     keys.reserve(static_cast<std::size_t>(mesh.n_triangles()));
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
@@ -139,7 +139,7 @@ std::optional<Index> ComponentReport::genus() const {
     return (2 - n_boundary_loops - euler_characteristic()) / 2;
 }
 
-MeshReport analyze(const TriangleMesh& mesh) {
+MeshReport analyze(MeshView mesh) {
     require_valid(mesh);
     MeshReport report;
     report.n_vertices = mesh.n_vertices();

@@ -81,7 +81,7 @@ TriangleMesh outer_squares(const std::set<Cell>& cells) {
 }
 
 // Every vertex halfway to the mean of its neighbors.
-Points smoothed(const TriangleMesh& mesh) {
+Points smoothed(MeshView mesh) {
     const Adjacency adjacency(mesh);
     Points result(mesh.n_vertices(), 3);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {

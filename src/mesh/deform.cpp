@@ -21,7 +21,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 // Rows: the directions of largest, middle and smallest spread of the surface, each toward its longer tail
 // (third moment), so that the pose does not depend on how the mesh lies in space.
-Eigen::Matrix3d principal_axes(const TriangleMesh& mesh, const Eigen::RowVector3d& center) {
+Eigen::Matrix3d principal_axes(MeshView mesh, const Eigen::RowVector3d& center) {
     const Points offsets = mesh.vertices.rowwise() - center;
     const Vector weights = vertex_areas(mesh);
     const Eigen::Matrix3d spread = offsets.transpose() * weights.asDiagonal() * offsets;
@@ -84,12 +84,12 @@ void require_range(const char* what, double value, double low, double high) {
 
 }  // namespace
 
-TriangleMesh deform(const TriangleMesh& mesh, const DeformOptions& options) {
+TriangleMesh deform(MeshView mesh, const DeformOptions& options) {
     require_valid(mesh);
     require_range("bend", options.bend, -two_pi, two_pi);
     require_range("twist", options.twist, -two_pi, two_pi);
     require_range("warp", options.warp, 0, 0.5);
-    if (options.bend == 0 && options.twist == 0 && options.warp == 0) return mesh;  // to the last bit
+    if (options.bend == 0 && options.twist == 0 && options.warp == 0) return mesh.copy();  // to the last bit
     const Eigen::RowVector3d centroid = surface_centroid(mesh).transpose();
     const Eigen::Matrix3d axes = principal_axes(mesh, centroid);
     Points local = (mesh.vertices.rowwise() - centroid) * axes.transpose();

@@ -7,7 +7,7 @@
 
 namespace counterpart::mesh {
 
-EdgeTable::EdgeTable(const TriangleMesh& mesh) {
+EdgeTable::EdgeTable(MeshView mesh) {
     // Counting sort of the sides by smaller vertex, then a sort of each vertex's few sides.
     const auto n = static_cast<std::size_t>(mesh.n_vertices());
     std::vector<std::size_t> begin(n + 1, 0);

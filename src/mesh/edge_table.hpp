@@ -10,7 +10,7 @@
 namespace counterpart::mesh {
 
 /// Whether a triangle has a repeated vertex.
-inline bool is_degenerate(const TriangleMesh& mesh, Index t) {
+inline bool is_degenerate(MeshView mesh, Index t) {
     const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
     return a == b || b == c || c == a;
 }
@@ -28,7 +28,7 @@ class EdgeTable {
     };
 
     /// O(F log valence).
-    explicit EdgeTable(const TriangleMesh& mesh);
+    explicit EdgeTable(MeshView mesh);
 
     Index n_edges() const { return static_cast<Index>(low_.size()); }
     Index low(Index edge) const { return low_[static_cast<std::size_t>(edge)]; }

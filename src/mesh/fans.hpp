@@ -13,7 +13,7 @@ namespace counterpart::mesh {
 /// The triangles around each vertex, in compressed rows, in increasing order. O(V + F).
 class Fans {
   public:
-    Fans(const Triangles& triangles, Index n_vertices) : first_(static_cast<std::size_t>(n_vertices) + 1, 0) {
+    Fans(TrianglesView triangles, Index n_vertices) : first_(static_cast<std::size_t>(n_vertices) + 1, 0) {
         for (const Index v : triangles.reshaped()) ++first_[static_cast<std::size_t>(v) + 1];
         std::partial_sum(first_.begin(), first_.end(), first_.begin());
         std::vector<Index> next(first_.begin(), first_.end() - 1);

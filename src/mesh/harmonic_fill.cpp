@@ -73,7 +73,7 @@ FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values)
     return result;
 }
 
-FillResult fill_everywhere(const TriangleMesh& mesh, const Matrix& values) {
+FillResult fill_everywhere(MeshView mesh, const Matrix& values) {
     FillResult result = fill_from_neighbors(Adjacency(mesh), values);
     if (result.unknown == 0) return result;
     std::vector<Index> known;

@@ -21,6 +21,6 @@ FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values)
 
 /// The same, and rows of components without any value are copied from the nearest vertex, in space, that has
 /// one: `unknown` counts them. Throws InvalidInput if no row has values.
-FillResult fill_everywhere(const TriangleMesh& mesh, const Matrix& values);
+FillResult fill_everywhere(MeshView mesh, const Matrix& values);
 
 }  // namespace counterpart::mesh

@@ -8,27 +8,27 @@
 namespace counterpart {
 namespace {
 
-Eigen::Vector3d corner(const TriangleMesh& mesh, Index triangle, int which) {
+Eigen::Vector3d corner(MeshView mesh, Index triangle, int which) {
     return mesh.vertices.row(mesh.triangles(triangle, which)).transpose();
 }
 
 // Twice the triangle's area, along its normal.
-Eigen::Vector3d area_vector(const TriangleMesh& mesh, Index t) {
+Eigen::Vector3d area_vector(MeshView mesh, Index t) {
     const Eigen::Vector3d a = corner(mesh, t, 0);
     return (corner(mesh, t, 1) - a).cross(corner(mesh, t, 2) - a);
 }
 
 }  // namespace
 
-Vector triangle_areas(const TriangleMesh& mesh) {
+Vector triangle_areas(MeshView mesh) {
     Vector areas(mesh.n_triangles());
     for (Index t = 0; t < mesh.n_triangles(); ++t) areas[t] = 0.5 * area_vector(mesh, t).norm();
     return areas;
 }
 
-double surface_area(const TriangleMesh& mesh) { return triangle_areas(mesh).sum(); }
+double surface_area(MeshView mesh) { return triangle_areas(mesh).sum(); }
 
-Vector vertex_areas(const TriangleMesh& mesh) {
+Vector vertex_areas(MeshView mesh) {
     Vector areas = Vector::Zero(mesh.n_vertices());
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         const double third = area_vector(mesh, t).norm() / 6;
@@ -37,14 +37,14 @@ Vector vertex_areas(const TriangleMesh& mesh) {
     return areas;
 }
 
-Points triangle_normals(const TriangleMesh& mesh) {
+Points triangle_normals(MeshView mesh) {
     Points normals(mesh.n_triangles(), 3);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         normals.row(t) = area_vector(mesh, t).stableNormalized().transpose();
     return normals;
 }
 
-Points vertex_normals(const TriangleMesh& mesh) {
+Points vertex_normals(MeshView mesh) {
     Points normals = Points::Zero(mesh.n_vertices(), 3);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         const Eigen::RowVector3d normal = area_vector(mesh, t).transpose();
@@ -57,7 +57,7 @@ Points vertex_normals(const TriangleMesh& mesh) {
     return normals;
 }
 
-double mean_edge_length(const TriangleMesh& mesh) {
+double mean_edge_length(MeshView mesh) {
     const Adjacency adjacency(mesh);
     double sum = 0;
     for (Index v = 0; v < mesh.n_vertices(); ++v)
@@ -66,7 +66,7 @@ double mean_edge_length(const TriangleMesh& mesh) {
     return adjacency.n_edges() > 0 ? sum / adjacency.n_edges() : 0;
 }
 
-double signed_volume(const TriangleMesh& mesh) {
+double signed_volume(MeshView mesh) {
     // Relative to a vertex, so that meshes far from the origin lose no digits.
     const Eigen::Vector3d origin =
         mesh.n_vertices() > 0 ? Eigen::Vector3d(mesh.vertices.row(0)) : Eigen::Vector3d::Zero();
@@ -76,7 +76,7 @@ double signed_volume(const TriangleMesh& mesh) {
     return six_volumes / 6;
 }
 
-Eigen::Vector3d surface_centroid(const TriangleMesh& mesh) {
+Eigen::Vector3d surface_centroid(MeshView mesh) {
     const Vector areas = vertex_areas(mesh);
     const double total = areas.sum();
     if (total > 0) return (mesh.vertices.transpose() * areas) / total;

@@ -54,9 +54,10 @@ std::vector<EdgeComponent> agree_within_components(TriangleMesh& mesh,
 
 }  // namespace
 
-OrientResult orient(const TriangleMesh& mesh) {
+OrientResult orient(MeshView mesh) {
     require_valid(mesh);
-    OrientResult result{mesh};
+    OrientResult result;
+    result.mesh = mesh.copy();
     std::vector<Index> component_of_triangle;
     std::vector<EdgeComponent> components = agree_within_components(result.mesh, component_of_triangle);
     const Eigen::RowVector3d center = surface_centroid(mesh).transpose();

@@ -19,10 +19,11 @@ std::vector<Index> random_order(Index count, Random& random) {
 
 }  // namespace
 
-ShuffleResult shuffle(const TriangleMesh& mesh, std::uint64_t seed) {
+ShuffleResult shuffle(MeshView mesh, std::uint64_t seed) {
     require_valid(mesh);
     Random random(seed);
-    ShuffleResult result{mesh, random_order(mesh.n_vertices(), random), Triangles(mesh.n_triangles(), 3)};
+    ShuffleResult result{mesh.copy(), random_order(mesh.n_vertices(), random),
+                         Triangles(mesh.n_triangles(), 3)};
     const auto renumbered = [&](Index v) {
         return result.shuffled_from_original[static_cast<std::size_t>(v)];
     };
@@ -73,7 +74,7 @@ AttributedShuffleResult shuffle(const AttributedMesh& content, std::uint64_t see
     return result;
 }
 
-TriangleMesh move_at_random(const TriangleMesh& mesh, std::uint64_t seed) {
+TriangleMesh move_at_random(MeshView mesh, std::uint64_t seed) {
     require_valid(mesh);
     Random random(seed);
     Eigen::Vector4d q;

@@ -9,7 +9,7 @@
 
 namespace counterpart {
 
-TriangleMesh subdivide(const TriangleMesh& mesh) {
+TriangleMesh subdivide(MeshView mesh) {
     require_valid(mesh);
     if (mesh.n_triangles() > std::numeric_limits<Index>::max() / 4 - mesh.n_vertices() / 4)
         throw InvalidInput("subdivide: the mesh is too large to subdivide again");

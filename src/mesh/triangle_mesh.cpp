@@ -7,7 +7,7 @@
 
 namespace counterpart {
 
-void require_valid(const TriangleMesh& mesh) {
+void require_valid(MeshView mesh) {
     if (mesh.n_vertices() == 0) throw InvalidInput("the mesh has no vertices");
     if (mesh.n_triangles() == 0)
         throw InvalidInput("the mesh has no faces: a point cloud cannot be matched as a surface");

@@ -80,7 +80,7 @@ Index find_around(const CellTable& table, const GridCell& center, const Accept& 
 
 }  // namespace
 
-WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options) {
+WeldResult weld(MeshView mesh, const WeldOptions& options) {
     require_valid(mesh);
     if (!(options.distance >= 0) || !std::isfinite(options.distance))
         throw InvalidInput(fmt::format("weld: the distance must be at least 0, not {}", options.distance));

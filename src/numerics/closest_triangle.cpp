@@ -58,7 +58,7 @@ ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vect
     return {0, weights, height * height / scale};
 }
 
-ClosestPoint closest_among(std::span<const Index> among, const Points& vertices, const Triangles& triangles,
+ClosestPoint closest_among(std::span<const Index> among, PointsView vertices, TrianglesView triangles,
                            const Eigen::Vector3d& query) {
     ClosestPoint best;
     for (const Index t : among) {
@@ -88,7 +88,7 @@ ClosestTriangle::ClosestTriangle(Points vertices, Triangles triangles)
     if (count > 0) build(0, count, centers);
 }
 
-void ClosestTriangle::build(Index begin, Index end, const Points& centers) {
+void ClosestTriangle::build(Index begin, Index end, PointsView centers) {
     const std::size_t mine = nodes_.size();
     Node node{Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()),
               Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity()), begin, end, 0};

@@ -24,7 +24,7 @@ ClosestPoint closest_on_triangle(const Eigen::Vector3d& query, const Eigen::Vect
 
 /// The closest point on some of a mesh's triangles, by brute force; of equally close ones the first.
 /// triangle is -1 if `among` is empty.
-ClosestPoint closest_among(std::span<const Index> among, const Points& vertices, const Triangles& triangles,
+ClosestPoint closest_among(std::span<const Index> among, PointsView vertices, TrianglesView triangles,
                            const Eigen::Vector3d& query);
 
 /// Closest points on a triangle soup by a tree of boxes, in double precision. Keeps a copy of the mesh.
@@ -46,7 +46,7 @@ class ClosestTriangle {
     }
 
     Eigen::Vector3d position(const ClosestPoint& point) const;
-    const Points& normals() const { return normals_; }
+    PointsView normals() const { return normals_; }
 
   private:
     struct Node {
@@ -54,7 +54,7 @@ class ClosestTriangle {
         Index begin, end;  // leaf: triangles order_[begin .. end)
         Index right;       // inner: the left child follows its parent; 0 = leaf
     };
-    void build(Index begin, Index end, const Points& centers);
+    void build(Index begin, Index end, PointsView centers);
     ClosestPoint search(const Eigen::Vector3d& query, const Eigen::Vector3d& normal, double least_cosine,
                         double radius) const;
 

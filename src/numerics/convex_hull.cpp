@@ -7,7 +7,7 @@
 
 namespace counterpart::numerics {
 
-std::vector<bool> on_convex_hull(const Points& points, double tolerance) {
+std::vector<bool> on_convex_hull(PointsView points, double tolerance) {
     constexpr int n_directions = 2000;
     std::vector<bool> on_hull(static_cast<std::size_t>(points.rows()), false);
     if (points.rows() == 0) return on_hull;

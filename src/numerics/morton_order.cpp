@@ -21,7 +21,7 @@ std::uint64_t spread_bits(std::uint64_t x) {
 
 }  // namespace
 
-std::vector<Index> space_filling_order(const Points& points) {
+std::vector<Index> space_filling_order(PointsView points) {
     if (points.rows() == 0) return {};
     const Eigen::RowVector3d low = points.colwise().minCoeff();
     const double extent = (points.colwise().maxCoeff() - low).maxCoeff();

@@ -28,7 +28,7 @@ Points classical_solution(const Matrix& distances) {
 }
 
 // The Guttman transform: every point to the mean of where the others would have it.
-Points majorized(const Points& points, const Matrix& distances) {
+Points majorized(PointsView points, const Matrix& distances) {
     const Eigen::Index n = points.rows();
     Points next = Points::Zero(n, 3);
     for (Eigen::Index i = 0; i < n; ++i) {

@@ -21,7 +21,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 /// Covariance of the surface's points.
-Eigen::Matrix3d surface_covariance(const TriangleMesh& mesh) {
+Eigen::Matrix3d surface_covariance(MeshView mesh) {
     const Vector areas = vertex_areas(mesh);
     const double total = areas.sum();
     if (!(total > 0)) return Eigen::Matrix3d::Identity();
@@ -31,7 +31,7 @@ Eigen::Matrix3d surface_covariance(const TriangleMesh& mesh) {
     return weighted.transpose() * centered / total;
 }
 
-Eigen::Vector3d find_up(const TriangleMesh& mesh, const std::string& name) {
+Eigen::Vector3d find_up(MeshView mesh, const std::string& name) {
     if (name == "auto") {
         const Eigen::RowVector3d size =
             mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
@@ -51,7 +51,7 @@ Eigen::Vector3d find_front(const Eigen::Vector3d& up) {
 }
 
 /// The horizontal direction in which the surface is thinnest, on the front's side.
-Eigen::Vector3d thinnest(const TriangleMesh& mesh, const Eigen::Vector3d& up, const Eigen::Vector3d& front) {
+Eigen::Vector3d thinnest(MeshView mesh, const Eigen::Vector3d& up, const Eigen::Vector3d& front) {
     const Eigen::Vector3d side = up.cross(front);
     Eigen::Matrix<double, 3, 2> plane;
     plane << side, front;
@@ -91,7 +91,7 @@ Camera look_from(const Eigen::Vector3d& front, const Eigen::Vector3d& up, double
 
 }  // namespace
 
-Camera find_camera(const TriangleMesh& mesh, const CameraOptions& options) {
+Camera find_camera(MeshView mesh, const CameraOptions& options) {
     const Eigen::Vector3d up = find_up(mesh, options.up), front = find_front(up);
     if (options.direction == "auto") {
         const Eigen::Vector3d from = thinnest(mesh, up, front);
@@ -113,7 +113,7 @@ Camera find_camera(const TriangleMesh& mesh, const CameraOptions& options) {
         options.direction + "'");
 }
 
-Camera matching_camera(const Camera& source_view, const TriangleMesh& source, const TriangleMesh& target,
+Camera matching_camera(const Camera& source_view, MeshView source, MeshView target,
                        const VertexMap& target_from_source) {
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
     const Index n = count_matched(target_from_source);
@@ -132,7 +132,7 @@ Camera matching_camera(const Camera& source_view, const TriangleMesh& source, co
     return source_view * target_from_source_rotation.transpose();
 }
 
-Placement::Placement(const TriangleMesh& mesh, const Camera& view) : view_(view) {
+Placement::Placement(MeshView mesh, const Camera& view) : view_(view) {
     const Points seen = mesh.vertices * view.transpose();
     const Eigen::RowVector3d low = seen.colwise().minCoeff(), high = seen.colwise().maxCoeff();
     const double area = surface_area(mesh);
@@ -141,7 +141,7 @@ Placement::Placement(const TriangleMesh& mesh, const Camera& view) : view_(view)
     half_size_ = 0.5 * scale_ * (high - low);
 }
 
-TriangleMesh Placement::operator()(const TriangleMesh& mesh) const {
+TriangleMesh Placement::operator()(MeshView mesh) const {
     return {(scale_ * (mesh.vertices * view_.transpose())).rowwise() + offset_, mesh.triangles};
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-bool known(const Points& values, Index v) { return !std::isnan(values(v, 0)); }
+bool known(PointsView values, Index v) { return !std::isnan(values(v, 0)); }
 
 /// One ring further: vertices without a value take the mean of the neighbors that have one.
 void spread(Points& values, const Adjacency& adjacency) {
@@ -32,7 +32,7 @@ void spread(Points& values, const Adjacency& adjacency) {
 }
 
 /// Position in the picture, from -1 to 1 along each side of the mesh's box.
-Points picture_position(const PlacedMesh& placed, const TriangleMesh& in_picture) {
+Points picture_position(const PlacedMesh& placed, MeshView in_picture) {
     const Eigen::RowVector3d low = in_picture.vertices.colwise().minCoeff(),
                              high = in_picture.vertices.colwise().maxCoeff();
     const Eigen::RowVector3d half = placed.placement.half_size().cwiseMax(1e-12);
@@ -65,8 +65,7 @@ Color paint(const Eigen::RowVector3d& position, const Eigen::RowVector2d& square
 
 }  // namespace
 
-Points transfer_to_target(const Points& values, const VertexMap& target_from_source,
-                          const TriangleMesh& target) {
+Points transfer_to_target(PointsView values, const VertexMap& target_from_source, MeshView target) {
     require_valid(target_from_source, static_cast<Index>(values.rows()), target.n_vertices());
     Points sum = Points::Zero(target.n_vertices(), 3);
     Vector count = Vector::Zero(target.n_vertices());
@@ -102,7 +101,7 @@ Scene line_scene(const PlacedMesh& source, const PlacedMesh& target, const Verte
     require_valid(target_from_source, source.mesh.n_vertices(), target.mesh.n_vertices());
     Scene scene{
         {plain_surface(source.mesh, source.placement), plain_surface(target.mesh, target.placement)}, {}, {}};
-    const TriangleMesh &left = scene.surfaces[0].mesh, &right = scene.surfaces[1].mesh;
+    MeshView left = scene.surfaces[0].mesh, right = scene.surfaces[1].mesh;
     const Points left_normals = vertex_normals(left), right_normals = vertex_normals(right);
     const Points colors = picture_position(source, left);
     std::vector<Index> chosen;

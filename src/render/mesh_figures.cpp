@@ -20,7 +20,7 @@ Points repeated(const Color& color, Index n) { return color.replicate(n, 1); }
 
 Color pale(const Color& color) { return 0.45 * color + 0.55 * Color(1, 1, 1); }
 
-void require_levels(const TriangleMesh& mesh, std::span<const Index> level) {
+void require_levels(MeshView mesh, std::span<const Index> level) {
     if (level.size() != static_cast<std::size_t>(mesh.n_vertices()))
         throw InvalidInput("there must be a frontier number for each of the " +
                            std::to_string(mesh.n_vertices()) + " vertices");
@@ -31,7 +31,7 @@ Color level_color(double level, Index last) {
 }
 
 /// Dots about as large as the vertices are apart, so that they touch but do not merge.
-double dot_size(const TriangleMesh& mesh, const Placement& placement) {
+double dot_size(MeshView mesh, const Placement& placement) {
     return std::min(0.02, 0.42 * placement.scale() * mean_edge_length(mesh));
 }
 
@@ -47,12 +47,12 @@ void arrange_in_row(std::span<Placement> placements) {
     }
 }
 
-Surface plain_surface(const TriangleMesh& mesh, const Placement& placement, const Color& color) {
+Surface plain_surface(MeshView mesh, const Placement& placement, const Color& color) {
     return {placement(mesh), repeated(color, mesh.n_vertices()), {}};
 }
 
-void add_frontiers(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
-                   std::span<const Index> level, const FrontierFigureOptions& options) {
+void add_frontiers(Scene& scene, MeshView mesh, const Placement& placement, std::span<const Index> level,
+                   const FrontierFigureOptions& options) {
     require_levels(mesh, level);
     if (options.every < 1) throw InvalidInput("every n-th frontier: n must be 1 or more");
     const Index last = *std::max_element(level.begin(), level.end()), every = options.every;
@@ -76,7 +76,7 @@ void add_frontiers(Scene& scene, const TriangleMesh& mesh, const Placement& plac
     scene.surfaces.push_back(std::move(surface));
 }
 
-void add_farthest_point_samples(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
+void add_farthest_point_samples(Scene& scene, MeshView mesh, const Placement& placement,
                                 const FarthestPointSamples& bases) {
     if (bases.sample_of_vertex.size() != static_cast<std::size_t>(mesh.n_vertices()))
         throw InvalidInput("the samples belong to another mesh");
@@ -92,7 +92,7 @@ void add_farthest_point_samples(Scene& scene, const TriangleMesh& mesh, const Pl
             {placement(mesh.vertices.row(v)), std::clamp(spacing, 0.006, 0.018), source_red});
 }
 
-TriangleMesh patch_around(const TriangleMesh& mesh, Index center, double radius) {
+TriangleMesh patch_around(MeshView mesh, Index center, double radius) {
     if (center < 0 || center >= mesh.n_vertices())
         throw InvalidInput("vertex " + std::to_string(center) + " does not exist; there are " +
                            std::to_string(mesh.n_vertices()));
@@ -118,8 +118,8 @@ TriangleMesh patch_around(const TriangleMesh& mesh, Index center, double radius)
     return patch;
 }
 
-void add_shortcuts(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
-                   std::span<const Index> level, Index center, double radius) {
+void add_shortcuts(Scene& scene, MeshView mesh, const Placement& placement, std::span<const Index> level,
+                   Index center, double radius) {
     require_levels(mesh, level);
     const TriangleMesh patch = patch_around(mesh, center, radius);
     scene.surfaces.push_back(plain_surface(patch, placement));
@@ -148,7 +148,7 @@ void add_shortcuts(Scene& scene, const TriangleMesh& mesh, const Placement& plac
 }
 
 void add_frontier_pair(Scene& scene, const FrontierPair& frontiers, double dot_radius) {
-    const auto add = [&](const Points& points, const auto& edges, const Color& color) {
+    const auto add = [&](PointsView points, const auto& edges, const Color& color) {
         for (Eigen::Index i = 0; i < points.rows(); ++i)
             scene.dots.push_back({points.row(i), dot_radius, color});
         for (const auto& [a, b] : edges)

@@ -103,7 +103,7 @@ struct Tracer::Data {
     }
 
     RTCGeometry make_mesh(const Surface& surface) {
-        const TriangleMesh& mesh = surface.mesh;
+        MeshView mesh = surface.mesh;
         RTCGeometry geometry = rtcNewGeometry(device.device, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                        static_cast<std::size_t>(mesh.n_vertices()));

@@ -23,7 +23,7 @@ EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const 
     return {pairs.values.cwiseMax(0.0) / area, pairs.vectors / std::sqrt(area), laplacian.mass};
 }
 
-EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions, const Progress& progress) {
+EigenBasis eigen_basis(MeshView mesh, int n_functions, const Progress& progress) {
     return eigen_basis(laplace_beltrami(mesh), n_functions, progress);
 }
 

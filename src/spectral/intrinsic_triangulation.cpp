@@ -21,7 +21,7 @@ double triangle_area(double a, double b, double c) {
 
 }  // namespace
 
-IntrinsicTriangulation::IntrinsicTriangulation(const TriangleMesh& mesh) {
+IntrinsicTriangulation::IntrinsicTriangulation(MeshView mesh) {
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
         if (a == b || b == c || c == a) continue;

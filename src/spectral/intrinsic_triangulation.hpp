@@ -16,7 +16,7 @@ namespace counterpart::spectral {
 
 class IntrinsicTriangulation {
   public:
-    explicit IntrinsicTriangulation(const TriangleMesh& mesh);
+    explicit IntrinsicTriangulation(MeshView mesh);
 
     /// Adds one constant to every length so that a + b - c >= margin * mean length everywhere.
     void mollify(double margin);

@@ -28,7 +28,7 @@ struct Piece {
     double mass = 0;
 };
 
-std::vector<Piece> pieces_with_area(const TriangleMesh& mesh, const Vector& mass) {
+std::vector<Piece> pieces_with_area(MeshView mesh, const Vector& mass) {
     const Components components = connected_components(Adjacency(mesh));
     std::vector<Piece> pieces(static_cast<std::size_t>(components.count));
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
@@ -42,7 +42,7 @@ std::vector<Piece> pieces_with_area(const TriangleMesh& mesh, const Vector& mass
 
 // A vertex without area would be a mode of its own, of eigenvalue 0. A spring to the nearest vertex of the
 // surface makes it follow that one.
-void tie_loose_vertices(Entries& entries, const TriangleMesh& mesh, const Vector& mass) {
+void tie_loose_vertices(Entries& entries, MeshView mesh, const Vector& mass) {
     std::vector<Index> solid;
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         if (mass[v] > 0) solid.push_back(v);
@@ -57,7 +57,7 @@ void tie_loose_vertices(Entries& entries, const TriangleMesh& mesh, const Vector
 // A bridge of weight w to a component of mass m gives a mode "this component against the rest" of eigenvalue
 // about w / m. Where the surface's own 80 or so lowest modes end (4 pi k, Weyl's law), such modes no longer
 // get in their way.
-void add_bridges(Entries& entries, const TriangleMesh& mesh, const std::vector<Piece>& pieces, double area) {
+void add_bridges(Entries& entries, MeshView mesh, const std::vector<Piece>& pieces, double area) {
     constexpr double bridge_eigenvalue = 1000;
     constexpr std::size_t springs_per_piece = 3;
     const auto largest = std::max_element(pieces.begin(), pieces.end(),
@@ -85,7 +85,7 @@ void add_bridges(Entries& entries, const TriangleMesh& mesh, const std::vector<P
 
 }  // namespace
 
-LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOptions& options) {
+LaplaceBeltrami laplace_beltrami(MeshView mesh, const LaplacianOptions& options) {
     require_valid(mesh);
     if (!(options.mollification >= 0 && options.mollification <= 0.1))
         throw InvalidInput("laplace_beltrami: mollification must be in [0, 0.1]");

@@ -11,8 +11,7 @@
 
 namespace counterpart::spectral {
 
-OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis& basis, int size,
-                                     int n_coefficients) {
+OrientationTensor orientation_tensor(MeshView mesh, const EigenBasis& basis, int size, int n_coefficients) {
     if (basis.mass.size() != mesh.n_vertices())
         throw InvalidInput("orientation_tensor: the basis belongs to another mesh");
     if (size < 2 || n_coefficients < 2)

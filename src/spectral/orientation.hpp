@@ -16,7 +16,7 @@ struct OrientationTensor {
 
 /// Sizes are limited to that of the basis; both must be at least 2, else InvalidInput, as for a basis of
 /// another mesh. O(F size^2 n_coefficients).
-OrientationTensor orientation_tensor(const TriangleMesh& mesh, const EigenBasis& basis, int size = 20,
+OrientationTensor orientation_tensor(MeshView mesh, const EigenBasis& basis, int size = 20,
                                      int n_coefficients = 30);
 
 /// Agreement in [-1, 1] of the orientations of two surfaces under a functional map, `a_from_b` (k_A x k_B,

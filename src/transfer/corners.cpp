@@ -59,7 +59,7 @@ struct Snapped {
 };
 
 // Moves the nearer end of each crossing edge onto the seam, least moves first, until no edge crosses one.
-Snapped snap_to_seams(const attributes::CutSurface& surface, const TriangleMesh& target,
+Snapped snap_to_seams(const attributes::CutSurface& surface, MeshView target,
                       std::vector<SurfacePoint> image) {
     Snapped result{std::move(image), std::vector<double>(static_cast<std::size_t>(target.n_vertices()), 0)};
     const mesh::EdgeTable table(target);
@@ -172,7 +172,7 @@ void settle(std::vector<SurfacePoint>& image) {
 }
 
 // Values of all corners; those that agree at a vertex share a row.
-CornerAttribute evaluate(const std::vector<CornerPoints>& points, const TriangleMesh& target,
+CornerAttribute evaluate(const std::vector<CornerPoints>& points, MeshView target,
                          const CornerAttribute& attribute, double tolerance) {
     std::vector<Eigen::RowVectorXd> rows;
     std::vector<std::vector<Index>> rows_of(static_cast<std::size_t>(target.n_vertices()));
@@ -203,7 +203,7 @@ CornerAttribute evaluate(const std::vector<CornerPoints>& points, const Triangle
     return result;
 }
 
-Index count_seam_triangles(const TriangleMesh& target, const CornerAttribute& attribute) {
+Index count_seam_triangles(MeshView target, const CornerAttribute& attribute) {
     std::vector<char> at_seam(static_cast<std::size_t>(target.n_triangles()), 0);
     const mesh::EdgeTable edges(target);
     for (Index e = 0; e < edges.n_edges(); ++e) {
@@ -220,8 +220,7 @@ Index count_seam_triangles(const TriangleMesh& target, const CornerAttribute& at
     return static_cast<Index>(std::count(at_seam.begin(), at_seam.end(), 1));
 }
 
-void require_fitting(const CornerAttribute& attribute, const std::vector<Index>& labels,
-                     const TriangleMesh& source) {
+void require_fitting(const CornerAttribute& attribute, const std::vector<Index>& labels, MeshView source) {
     if (attribute.corners.rows() != source.n_triangles()) {
         throw InvalidInput(fmt::format("the attribute has corners for {} triangles, but the source has {}",
                                        attribute.corners.rows(), source.n_triangles()));
@@ -241,9 +240,9 @@ void require_fitting(const CornerAttribute& attribute, const std::vector<Index>&
 
 }  // namespace
 
-TransferredCorners transfer_corners(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                                    const TriangleMesh& target, const CornerAttribute& attribute,
-                                    const std::vector<Index>& labels, const TransferCornersOptions& options) {
+TransferredCorners transfer_corners(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                                    const CornerAttribute& attribute, const std::vector<Index>& labels,
+                                    const TransferCornersOptions& options) {
     require_fitting(attribute, labels, source);
     CompletedMap completed = complete_map(source_from_target, target, source);
     settle(completed.target_from_source.image);

@@ -12,7 +12,7 @@ namespace {
 
 // Decides whether an attribute goes on from one triangle to the next.
 struct Continuity {
-    const TriangleMesh& mesh;
+    MeshView mesh;
     const CornerAttribute& attribute;
     const std::vector<Index>& labels;
     double tolerance;
@@ -49,8 +49,7 @@ bool intersect(std::span<const Index> a, std::span<const Index> b) {
     return false;
 }
 
-CutSurface::CutSurface(const TriangleMesh& mesh, const CornerAttribute& attribute,
-                       const std::vector<Index>& labels)
+CutSurface::CutSurface(MeshView mesh, const CornerAttribute& attribute, const std::vector<Index>& labels)
     : mesh_(mesh),
       fans_(mesh.triangles, mesh.n_vertices()),
       across_(3 * static_cast<std::size_t>(mesh.n_triangles()), -1),

@@ -16,7 +16,7 @@ namespace counterpart::attributes {
 /// A surface cut open along the seams of an attribute.
 class CutSurface {
   public:
-    CutSurface(const TriangleMesh& mesh, const CornerAttribute& attribute, const std::vector<Index>& labels);
+    CutSurface(MeshView mesh, const CornerAttribute& attribute, const std::vector<Index>& labels);
 
     /// The triangles that contain the point: one, those at an edge, or those around a vertex.
     std::vector<Index> around(const SurfacePoint& point) const;
@@ -33,7 +33,7 @@ class CutSurface {
                                          const Eigen::Vector3d& query) const;
 
   private:
-    const TriangleMesh& mesh_;
+    MeshView mesh_;
     mesh::Fans fans_;
     std::vector<Index> across_;  // [3 t + c]: the next triangle at the edge from corner c, in turn; -1 = none
     std::vector<char> smooth_;   // [3 t + c]: whether there is no seam in between

@@ -10,7 +10,7 @@
 
 namespace counterpart {
 
-LastPose last_pose(const TriangleMesh& first, const TriangleMesh& last, const SurfaceMap& last_from_first) {
+LastPose last_pose(MeshView first, MeshView last, const SurfaceMap& last_from_first) {
     require_valid(last_from_first, first.n_vertices(), last.n_triangles());
     const Points images = image_positions(last_from_first, last);
     std::vector<Index> matched;

@@ -10,9 +10,8 @@
 
 namespace counterpart::morphing {
 
-std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_target,
-                                               const TriangleMesh& source, const TriangleMesh& target,
-                                               const LocalLinearMapsOptions& options) {
+std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_target, MeshView source,
+                                               MeshView target, const LocalLinearMapsOptions& options) {
     require_valid(source_from_target, target.n_vertices(), source.n_triangles());
     if (!(options.smoothness > 0)) throw InvalidInput("smoothness must be above 0");
     const Points images = image_positions(source_from_target, source);

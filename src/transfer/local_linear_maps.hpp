@@ -26,8 +26,7 @@ struct LocalLinearMapsOptions {
 /// with e = x_w - x_v on the source, e' on the target, h^2 the mean of |e|^2; one sparse system of 3
 /// n_vertices unknowns, factorized once. Unmatched vertices follow their surroundings. Throws
 /// InvalidInput if the map does not fit or fewer than three vertices not on one line are matched.
-std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_target,
-                                               const TriangleMesh& source, const TriangleMesh& target,
-                                               const LocalLinearMapsOptions& options = {});
+std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_target, MeshView source,
+                                               MeshView target, const LocalLinearMapsOptions& options = {});
 
 }  // namespace counterpart::morphing

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t grain = 128;
 
-void require_usable(const TriangleMesh& first, const Points& last, const MorphOptions& options) {
+void require_usable(MeshView first, PointsView last, const MorphOptions& options) {
     require_valid(first);
     if (last.rows() != first.vertices.rows()) {
         throw InvalidInput(
@@ -125,13 +125,12 @@ struct Morph::Impl {
 
     using Frame = std::vector<Eigen::Quaterniond>;
     Points shapes_at(double time) const;
-    Points positions(const Frame& rotations, const Points& shapes) const;
-    void refit(Frame& rotations, const Points& shapes, const Points& positions) const;
+    Points positions(const Frame& rotations, PointsView shapes) const;
+    void refit(Frame& rotations, PointsView shapes, PointsView positions) const;
     std::size_t count() const { return static_cast<std::size_t>(elements.count()); }
 };
 
-Morph::Morph(const TriangleMesh& first, const Points& last, const MorphOptions& options)
-    : impl_(std::make_unique<Impl>()) {
+Morph::Morph(MeshView first, PointsView last, const MorphOptions& options) : impl_(std::make_unique<Impl>()) {
     require_usable(first, last, options);
     Impl& m = *impl_;
     m.options = options;
@@ -181,7 +180,7 @@ Points Morph::Impl::shapes_at(double time) const {
 }
 
 // The positions whose sides come closest to the turned shapes.
-Points Morph::Impl::positions(const Frame& rotations, const Points& shapes) const {
+Points Morph::Impl::positions(const Frame& rotations, PointsView shapes) const {
     Points turned(shapes.rows(), 3);
     parallel_for(count(), grain, [&](std::size_t i) {
         const auto row = 3 * static_cast<Eigen::Index>(i);
@@ -206,7 +205,7 @@ Points Morph::Impl::positions(const Frame& rotations, const Points& shapes) cons
 }
 
 // Rotations follow the positions, but not at folds, where neighbors would drag them over the edge.
-void Morph::Impl::refit(Frame& rotations, const Points& shapes, const Points& positions) const {
+void Morph::Impl::refit(Frame& rotations, PointsView shapes, PointsView positions) const {
     parallel_for(count(), grain, [&](std::size_t i) {
         if (field.folds[i]) return;
         const auto t = static_cast<Index>(i);
@@ -255,8 +254,8 @@ void Morph::soften_around(const std::vector<Index>& triangles) {
     m.field = morphing::soften_folds(m.elements, m.turns, m.folding, m.rings);
 }
 
-std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, int count,
-                                 const MorphOptions& options, const Progress& progress) {
+std::vector<Points> morph_frames(MeshView first, PointsView last, int count, const MorphOptions& options,
+                                 const Progress& progress) {
     if (count < 0 || count > 1000000)
         throw InvalidInput(fmt::format("the number of frames must be in 0 .. 1000000, not {}", count));
     constexpr int most_passes = 4;
@@ -269,8 +268,8 @@ std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, 
         std::vector<Index> inverted;
         for (int k = 1; k <= count + 1; ++k) {
             Points frame = morph.at(static_cast<double>(k) / (count + 1));
-            const std::vector<Index> here =
-                inverted_triangles(first.triangles, frames.empty() ? first.vertices : frames.back(), frame);
+            const std::vector<Index> here = inverted_triangles(
+                first.triangles, frames.empty() ? first.vertices : PointsView(frames.back()), frame);
             inverted.insert(inverted.end(), here.begin(), here.end());
             frames.push_back(std::move(frame));
             report_progress(progress, std::max(0.0, 1 - std::pow(0.3, pass) * (1 - 0.7 * k / (count + 1))));

@@ -10,7 +10,7 @@
 
 namespace counterpart {
 
-std::vector<Index> inverted_triangles(const Triangles& triangles, const Points& before, const Points& after) {
+std::vector<Index> inverted_triangles(TrianglesView triangles, PointsView before, PointsView after) {
     const Points then = triangle_normals({before, triangles}), now = triangle_normals({after, triangles});
     std::vector<Index> inverted;
     for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
@@ -18,8 +18,8 @@ std::vector<Index> inverted_triangles(const Triangles& triangles, const Points& 
     return inverted;
 }
 
-MorphQuality measure_morph(const TriangleMesh& first, const Points& last, double time, const Points& frame,
-                           const Points& before) {
+MorphQuality measure_morph(MeshView first, PointsView last, double time, PointsView frame,
+                           PointsView before) {
     const Index count = first.n_vertices();
     if (last.rows() != count || frame.rows() != count || before.rows() != count)
         throw InvalidInput("the frames of a morph must have the same number of vertices");

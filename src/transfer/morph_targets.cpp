@@ -10,9 +10,8 @@
 
 namespace counterpart {
 
-TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target,
-                                               const TriangleMesh& source, const TriangleMesh& target,
-                                               const std::vector<MorphTarget>& morphs) {
+TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target, MeshView source,
+                                               MeshView target, const std::vector<MorphTarget>& morphs) {
     require_valid(source_from_target, target.n_vertices(), source.n_triangles());
     for (const MorphTarget& morph : morphs) {
         if (morph.displacements.rows() != source.n_vertices()) {

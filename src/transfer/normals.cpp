@@ -14,7 +14,7 @@ namespace counterpart {
 namespace {
 
 // For each row the mean normal of the triangles that use it; zero where undefined.
-Points geometric_normals(const TriangleMesh& mesh, const Triangles& corners, Eigen::Index n_rows) {
+Points geometric_normals(MeshView mesh, TrianglesView corners, Eigen::Index n_rows) {
     const Points directions = triangle_normals(mesh);
     const Vector areas = triangle_areas(mesh);
     Points sums = Points::Zero(n_rows, 3);
@@ -27,8 +27,7 @@ Points geometric_normals(const TriangleMesh& mesh, const Triangles& corners, Eig
 
 // The rotation that best takes the edges around each target vertex, and its normal, from where they are on
 // the source; none where that is not known.
-std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, const TriangleMesh& source,
-                                               const TriangleMesh& target) {
+std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, MeshView source, MeshView target) {
     const Points images = image_positions(map, source);
     const Matrix normals = transfer_values(map, source, vertex_normals(source));
     const Points target_normals = vertex_normals(target);
@@ -53,8 +52,8 @@ std::vector<Eigen::Matrix3d> turns_of_vertices(const SurfaceMap& map, const Tria
 
 // The same for the vertex of each row. Where a normal leans, the two geometric normals alone do not tell
 // where to.
-std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, const TriangleMesh& source,
-                                           const TriangleMesh& target, const CornerAttribute& carried) {
+std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, MeshView source, MeshView target,
+                                           const CornerAttribute& carried) {
     const std::vector<Eigen::Matrix3d> of_vertices = turns_of_vertices(map, source, target);
     std::vector<Eigen::Matrix3d> turns(static_cast<std::size_t>(carried.values.rows()),
                                        Eigen::Matrix3d::Identity());
@@ -71,9 +70,8 @@ std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, const Triangle
 
 }  // namespace
 
-TransferredCorners transfer_normals(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                                    const TriangleMesh& target, const CornerAttribute& normals,
-                                    const TransferCornersOptions& options) {
+TransferredCorners transfer_normals(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                                    const CornerAttribute& normals, const TransferCornersOptions& options) {
     if (normals.values.cols() != 3 || normals.corners.rows() != source.n_triangles() ||
         (normals.corners.size() > 0 && normals.corners.maxCoeff() >= normals.values.rows()))
         throw InvalidInput(

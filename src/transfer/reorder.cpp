@@ -15,14 +15,14 @@ bool has_attributes(const AttributedMesh& content) {
            !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty();
 }
 
-void require_corners(const Triangles& corners, const TriangleMesh& source, const TriangleMesh& target) {
+void require_corners(TrianglesView corners, MeshView source, MeshView target) {
     const bool fits =
         corners.rows() == source.n_triangles() &&
         (corners.rows() == 0 || (corners.minCoeff() >= 0 && corners.maxCoeff() / 3 < target.n_triangles()));
     if (!fits) throw InvalidInput("the corner map does not fit the triangles of the meshes");
 }
 
-CornerAttribute in_order(CornerAttribute attribute, const Triangles& from) {
+CornerAttribute in_order(CornerAttribute attribute, TrianglesView from) {
     if (attribute.values.rows() == 0) return attribute;
     const Triangles before = std::move(attribute.corners);
     attribute.corners.resize(from.rows(), 3);
@@ -34,7 +34,7 @@ CornerAttribute in_order(CornerAttribute attribute, const Triangles& from) {
 }  // namespace
 
 AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& target,
-                       const VertexMap& target_from_source, const Triangles& target_corner_from_source) {
+                       const VertexMap& target_from_source, TrianglesView target_corner_from_source) {
     TriangleMesh mesh = reorder(source.mesh, target.mesh, target_from_source);
     require_corners(target_corner_from_source, source.mesh, target.mesh);
     AttributedMesh result = has_attributes(target) ? target : source;
@@ -43,7 +43,7 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
         result.normals = {};
         return result;
     }
-    const Triangles& from = target_corner_from_source;
+    TrianglesView from = target_corner_from_source;
     result.normals = in_order(std::move(result.normals), from);
     for (CornerAttribute& set : result.texture_coordinates) set = in_order(std::move(set), from);
     for (CornerAttribute& set : result.colors) set = in_order(std::move(set), from);
@@ -63,8 +63,7 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
     return result;
 }
 
-TriangleMesh reorder(const TriangleMesh& source, const TriangleMesh& target,
-                     const VertexMap& target_from_source) {
+TriangleMesh reorder(MeshView source, MeshView target, const VertexMap& target_from_source) {
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
     TriangleMesh result{Points(source.n_vertices(), 3), source.triangles};
     for (Index v = 0; v < source.n_vertices(); ++v) {

@@ -20,7 +20,7 @@ namespace counterpart::morphing {
 namespace {
 
 // Half the cotangent of the angle opposite to each side.
-Points half_cotangents(const Points& vertices, const Triangles& triangles) {
+Points half_cotangents(PointsView vertices, TrianglesView triangles) {
     Points result(triangles.rows(), 3);
     for (Eigen::Index t = 0; t < triangles.rows(); ++t) {
         for (int c = 0; c < 3; ++c) {
@@ -38,7 +38,7 @@ using Link = std::pair<Index, Index>;
 
 // The closest pairs of vertices first (Kruskal), as far as they are among each other's nearest; what is left
 // apart then hangs on the nearest vertex of the group of vertex 0.
-std::vector<Link> links_between(const Components& components, const Points& vertices) {
+std::vector<Link> links_between(const Components& components, PointsView vertices) {
     std::vector<Link> result;
     if (components.count <= 1) return result;
     const auto count = static_cast<std::size_t>(vertices.rows());
@@ -91,8 +91,8 @@ Eigen::Vector3d nearest_branch(const Eigen::Vector3d& vector, const Eigen::Vecto
 }
 
 // The rotation of one element; rank below 2 where the element has no normal in one of the poses.
-numerics::FittedRotation element_rotation(const RigidElements& elements, Index t, const Points& first,
-                                          const Points& last) {
+numerics::FittedRotation element_rotation(const RigidElements& elements, Index t, PointsView first,
+                                          PointsView last) {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (int c = 0; c < 3; ++c) {
         covariance +=
@@ -112,7 +112,7 @@ numerics::FittedRotation element_rotation(const RigidElements& elements, Index t
 }
 
 // Non-manifold sides are joined in a chain.
-Triangles elements_across(const Triangles& corners, Index n_triangles) {
+Triangles elements_across(TrianglesView corners, Index n_triangles) {
     struct Side {
         Index a, b, element;
         int side;
@@ -140,7 +140,7 @@ Triangles elements_across(const Triangles& corners, Index n_triangles) {
 
 }  // namespace
 
-RigidElements make_rigid_elements(const TriangleMesh& first, const Points& last) {
+RigidElements make_rigid_elements(MeshView first, PointsView last) {
     const std::vector<Link> links = links_between(connected_components(Adjacency(first)), first.vertices);
     const Index n_triangles = first.n_triangles();
     RigidElements elements;
@@ -160,7 +160,7 @@ RigidElements make_rigid_elements(const TriangleMesh& first, const Points& last)
     return elements;
 }
 
-Points rotation_field(const RigidElements& elements, const Points& first, const Points& last) {
+Points rotation_field(const RigidElements& elements, PointsView first, PointsView last) {
     const auto count = static_cast<std::size_t>(elements.count());
     Points vectors = Points::Zero(elements.count(), 3);
     std::vector<char> known(count, 0), done(count, 0);

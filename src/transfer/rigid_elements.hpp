@@ -19,18 +19,18 @@ struct RigidElements {
     Triangles across;     ///< the element on the other side of each side, -1 where there is none
 
     Index count() const { return static_cast<Index>(corners.rows()); }
-    Eigen::RowVector3d side(const Points& vertices, Index element, int c) const {
+    Eigen::RowVector3d side(PointsView vertices, Index element, int c) const {
         return vertices.row(corners(element, (c + 1) % 3)) - vertices.row(corners(element, c));
     }
 };
 /// Weights are the cotangent weights of the two poses' mean, kept within positive bounds.
-RigidElements make_rigid_elements(const TriangleMesh& first, const Points& last);
+RigidElements make_rigid_elements(MeshView first, PointsView last);
 
 /// One rotation vector per element (axis times angle, perhaps beyond pi) that best rotates its sides and its
 /// normal from the first pose onto the last. Of the vectors for the same rotation the one nearest to a
 /// neighbor's is taken, so that the field is as smooth as possible; elements without a normal take a
 /// neighbor's.
-Points rotation_field(const RigidElements& elements, const Points& first, const Points& last);
+Points rotation_field(const RigidElements& elements, PointsView first, PointsView last);
 
 struct RotationField {
     Points vectors;           ///< one per element

@@ -23,7 +23,7 @@ struct Influence {
 using Influences = std::vector<Influence>;  // of one vertex, by joint
 
 // Whether each source vertex is bound to a joint; throws for weights that mean nothing.
-std::vector<char> bound_vertices(const TriangleMesh& source, const SkinBinding& skin) {
+std::vector<char> bound_vertices(MeshView source, const SkinBinding& skin) {
     if (skin.weights.rows() != source.n_vertices() || skin.joints.rows() != source.n_vertices() ||
         skin.joints.cols() != skin.weights.cols()) {
         throw InvalidInput(fmt::format("the skin has {} rows of joints and {} of weights for {} vertices",
@@ -53,7 +53,7 @@ std::vector<char> bound_vertices(const TriangleMesh& source, const SkinBinding& 
     return bound;
 }
 
-Influences interpolated(const SurfacePoint& point, const TriangleMesh& source, const SkinBinding& skin) {
+Influences interpolated(const SurfacePoint& point, MeshView source, const SkinBinding& skin) {
     Influences sum;
     for (int c = 0; c < 3; ++c) {
         if (!(point.weights[c] > 0)) continue;
@@ -88,8 +88,7 @@ Influences limited(Influences all, std::size_t limit) {
 }
 
 // Fills the vertices without a match from those around them. Returns what it found about them.
-mesh::FillResult fill(const SurfaceMap& map, const TriangleMesh& target,
-                      std::vector<Influences>& influences) {
+mesh::FillResult fill(const SurfaceMap& map, MeshView target, std::vector<Influences>& influences) {
     std::map<Index, Index> column;  // of the joints in use
     for (const Influences& all : influences)
         for (const Influence& one : all) column.emplace(one.joint, 0);
@@ -119,9 +118,8 @@ mesh::FillResult fill(const SurfaceMap& map, const TriangleMesh& target,
 
 }  // namespace
 
-TransferredSkin transfer_skin(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                              const TriangleMesh& target, const SkinBinding& skin,
-                              const TransferSkinOptions& options) {
+TransferredSkin transfer_skin(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                              const SkinBinding& skin, const TransferSkinOptions& options) {
     require_valid(source_from_target, target.n_vertices(), source.n_triangles());
     if (options.max_influences < 0 || options.max_influences > 64)
         throw InvalidInput(fmt::format("max_influences must be in 0 .. 64, not {}", options.max_influences));

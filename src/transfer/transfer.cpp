@@ -83,12 +83,12 @@ struct Transfer {
 void warn_of_another_place(TransferResult& result, const SurfaceMap& source_from_target,
                            const AttributedMesh& source) {
     constexpr double noticeable = 0.05;  // share of the source's size
-    const Points& target = result.content.mesh.vertices;
+    PointsView target = result.content.mesh.vertices;
     const Points images = image_positions(source_from_target, source.mesh);
     double sum = 0;
     for (Index v = 0; v < source_from_target.source_size(); ++v)
         if (source_from_target[v].matched()) sum += (images.row(v) - target.row(v)).norm();
-    const Points& vertices = source.mesh.vertices;
+    PointsView vertices = source.mesh.vertices;
     const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
     const double share = sum / std::max<Index>(count_matched(source_from_target), 1) / size;
     if (share > noticeable)

@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view data_mark = "<!--counterpart-data-->";
 
 // Positions as 16-bit fractions of the box, triangles as 16- or 32-bit vertex numbers.
-Json put_mesh(const TriangleMesh& mesh, const std::string& name, viewer::SceneBuffer& buffer) {
+Json put_mesh(MeshView mesh, const std::string& name, viewer::SceneBuffer& buffer) {
     const Eigen::RowVector3d low = mesh.vertices.colwise().minCoeff();
     const Eigen::RowVector3d extent = mesh.vertices.colwise().maxCoeff() - low;
     const std::size_t positions = buffer.start_array();
@@ -73,7 +73,7 @@ Json put_map(const ViewerMap& map, viewer::SceneBuffer& buffer) {
 
 // The rotation of the target about its center that brings the images closest to their source vertices
 // (Kabsch 1976).
-Eigen::Quaterniond source_from_target_rotation(const TriangleMesh& source, const TriangleMesh& target,
+Eigen::Quaterniond source_from_target_rotation(MeshView source, MeshView target,
                                                const VertexMap& target_from_source) {
     Eigen::RowVector3d source_mean = Eigen::RowVector3d::Zero(), target_mean = Eigen::RowVector3d::Zero();
     const Index matched = count_matched(target_from_source);
@@ -100,7 +100,7 @@ Eigen::Quaterniond upright(const Eigen::Vector3d& up) {
 
 Json to_json(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
-void require_fit(const ViewerMap& map, const TriangleMesh& source, const TriangleMesh& target) {
+void require_fit(const ViewerMap& map, MeshView source, MeshView target) {
     try {
         require_valid(map.target_from_source, source.n_vertices(), target.n_vertices());
     } catch (const InvalidInput& error) {
@@ -111,7 +111,7 @@ void require_fit(const ViewerMap& map, const TriangleMesh& source, const Triangl
                                        map.name, map.error.size(), source.n_vertices()));
 }
 
-void require_fit(const ViewerOptions& options, const TriangleMesh& source, const TriangleMesh& target) {
+void require_fit(const ViewerOptions& options, MeshView source, MeshView target) {
     if (!options.truth.empty()) {
         try {
             require_valid({options.truth, target.n_vertices()}, source.n_vertices(), target.n_vertices());
@@ -135,8 +135,8 @@ std::string script_safe(const Json& json) {
 
 }  // namespace
 
-std::string viewer_page(const TriangleMesh& source, const TriangleMesh& target,
-                        const std::vector<ViewerMap>& maps, const ViewerOptions& options) {
+std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
+                        const ViewerOptions& options) {
     require_valid(source);
     require_valid(target);
     if (maps.empty()) throw InvalidInput("there is no map to view; give at least one");

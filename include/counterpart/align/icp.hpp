@@ -32,14 +32,13 @@ struct IcpResult {
 /// Iterative closest points from the source's vertices to the target's surface (Besl and McKay 1992), started
 /// from `start`. `known` is empty or a map from the source's vertices, most of which may be unmatched; its
 /// pairs are fitted together with the closest points. Converges to a local optimum, which depends on `start`.
-IcpResult icp(const TriangleMesh& source, const TriangleMesh& target, const Affine& start = {},
-              const SurfaceMap& known = {}, const IcpOptions& options = {});
+IcpResult icp(MeshView source, MeshView target, const Affine& start = {}, const SurfaceMap& known = {},
+              const IcpOptions& options = {});
 
 /// ICP from each of the 24 rotations that take principal axes of the source's vertices onto those of the
 /// target's, scaled (unless rigid) by the spread of the vertices about their means: the result with the least
 /// rms_distance, the first of equals. Where the vertices lie on a line or fit no transform, the means are
 /// moved onto each other and rms_distance is infinite. 24 times the cost of icp.
-IcpResult icp_from_principal_axes(const TriangleMesh& source, const TriangleMesh& target,
-                                  const IcpOptions& options = {});
+IcpResult icp_from_principal_axes(MeshView source, MeshView target, const IcpOptions& options = {});
 
 }  // namespace counterpart

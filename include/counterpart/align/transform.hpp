@@ -15,14 +15,15 @@ struct Similarity {
     Eigen::RowVector3d operator()(const Eigen::RowVector3d& point) const {
         return (scale * (rotation * point.transpose()) + translation).transpose();
     }
-    Points operator()(const Points& points) const {
+    Points operator()(PointsView points) const {
         return (scale * (points * rotation.transpose())).rowwise() + translation.transpose();
     }
+    Points operator()(PointsView points) const { return (*this)(PointsView(points)); }
 };
 
 /// The translation that moves the mean of `source` onto the mean of `target`; their numbers of points may
 /// differ. Throws InvalidInput if either is empty. O(N).
-Similarity align_centroids(const Points& source, const Points& target);
+Similarity align_centroids(PointsView source, PointsView target);
 
 struct KabschOptions {
     bool with_scale = false;  ///< also find the best uniform scale (Procrustes); else 1
@@ -36,7 +37,7 @@ struct KabschOptions {
 /// The similarity T of least sum of weights[i] |T(source_i) - target_i|^2, after Kabsch 1976 and Umeyama
 /// 1991; reflections are excluded. `weights`: empty (all 1) or one per point, at least 0 and not all 0.
 /// Throws InvalidInput if the sizes differ, there is no point, or a weight is negative. O(N).
-Similarity kabsch(const Points& source, const Points& target, const Vector& weights = {},
+Similarity kabsch(PointsView source, PointsView target, const Vector& weights = {},
                   const KabschOptions& options = {});
 
 /// The transforms to choose from.
@@ -51,7 +52,7 @@ struct Affine {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
-    Points operator()(const Points& points) const {
+    Points operator()(PointsView points) const {
         return (points * linear.transpose()).rowwise() + translation.transpose();
     }
 };
@@ -61,7 +62,7 @@ struct Affine {
 /// excluded: where the least-squares solution reflects, the best proper rotation is taken (rigid, similarity)
 /// or InvalidInput is thrown (affine). `weights` empty = all 1. Throws InvalidInput for too few or degenerate
 /// points (on one line; affine: in one plane). Rotation: Kabsch 1976; scale: Umeyama 1991. O(N).
-Affine fit_transform(const Points& source, const Points& target, TransformModel model = TransformModel::rigid,
+Affine fit_transform(PointsView source, PointsView target, TransformModel model = TransformModel::rigid,
                      const Vector& weights = {});
 
 }  // namespace counterpart

@@ -19,6 +19,22 @@ using Triangles = Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// Row-major dense matrix.
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
+
+/// The rows of an array that someone else owns, without a copy: of `Points`, or of memory that is laid out
+/// like it (a NumPy array, a graphics buffer). It must not outlive them. Functions take their arrays as views
+/// by value.
+template <typename Rows>
+class RowsView : public Eigen::Map<const Rows> {
+  public:
+    using Eigen::Map<const Rows>::Map;
+    RowsView() : Eigen::Map<const Rows>(nullptr, 0, 3) {}
+    RowsView(const Rows& rows) : Eigen::Map<const Rows>(rows.data(), rows.rows(), rows.cols()) {}
+    RowsView(const RowsView&) = default;
+    RowsView& operator=(const RowsView&) = delete;
+};
+
+using PointsView = RowsView<Points>;
+using TrianglesView = RowsView<Triangles>;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 }  // namespace counterpart

@@ -11,7 +11,7 @@ namespace counterpart {
 /// Mean curvature at every vertex, in 1 / mesh units: half the component of the Laplacian of position along
 /// the vertex normal; positive where the surface bulges outward (the unit sphere has 1). Zero where the
 /// normal is undefined. O(V).
-Vector mean_curvature(const TriangleMesh& mesh, const LaplaceBeltrami& laplacian);
+Vector mean_curvature(MeshView mesh, const LaplaceBeltrami& laplacian);
 
 /// The function after heat diffusion for each time (in squared mesh units) through the basis: V x
 /// times.size(), column i = Phi exp(-t_i lambda) Phi^T M f. O(V k). Throws InvalidInput if sizes differ.

@@ -75,15 +75,14 @@ struct EvaluationReport {
 /// map costs next to nothing and a bad one up to a full search for each true vertex. Throws InvalidInput for
 /// an invalid mesh, a map or truth that does not fit the meshes, an empty truth, a target without area, or
 /// thresholds that do not increase.
-EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
-                          const TriangleMesh& source, const TriangleMesh& target,
-                          const EvaluationOptions& options = {});
+EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth, MeshView source,
+                          MeshView target, const EvaluationOptions& options = {});
 
 /// The same of a surface map: the distance to a point of a triangle is the least, over its corners, of the
 /// distance to the corner and the straight line from there; exact is a point whose nearest corner (largest
 /// weight) is the true vertex. A surface map whose points are vertices is evaluated as the vertex map.
 EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
-                          const TriangleMesh& source, const TriangleMesh& target,
+                          MeshView source, MeshView target,
                           const EvaluationOptions& options = {});
 
 }  // namespace counterpart

@@ -19,7 +19,6 @@ struct MapQuality {
 };
 
 /// O(V + F). Throws InvalidInput for an invalid mesh or a map that does not fit the meshes.
-MapQuality map_quality(const VertexMap& target_from_source, const TriangleMesh& source,
-                       const TriangleMesh& target);
+MapQuality map_quality(const VertexMap& target_from_source, MeshView source, MeshView target);
 
 }  // namespace counterpart

@@ -34,7 +34,7 @@ struct CriticalPoints {
 /// vertex; that of the greatest average distance of each component always counts, whether on the hull or not.
 /// "On the hull" means within 2 % of the embedding's extent. Components are treated apart. Cost: n_bases
 /// searches. Throws InvalidInput for a graph of another mesh and for options out of range.
-CriticalPoints critical_points(const TriangleMesh& mesh, const DistanceGraph& graph,
+CriticalPoints critical_points(MeshView mesh, const DistanceGraph& graph,
                                const CriticalPointOptions& options = {});
 
 }  // namespace counterpart

@@ -27,7 +27,7 @@ class DistanceGraph {
   public:
     /// Throws InvalidInput for an invalid mesh, or one so large or small that squared lengths leave the range
     /// of double (coordinates spread over more than 1e150 or less than 1e-150).
-    explicit DistanceGraph(const TriangleMesh& mesh, const DistanceGraphOptions& options = {});
+    explicit DistanceGraph(MeshView mesh, const DistanceGraphOptions& options = {});
 
     Index n_vertices() const { return static_cast<Index>(first_.size()) - 1; }
     /// Number of undirected links. A pair may be linked twice; the shorter link counts.

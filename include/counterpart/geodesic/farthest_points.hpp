@@ -37,7 +37,7 @@ struct FarthestPointSamples {
 /// A new sample only searches the region it takes over: O(V log count) for the searches, O(V count) for the
 /// choice. Throws InvalidInput for a graph of another mesh, no bound, a negative one, or a `first` that is
 /// not a vertex.
-FarthestPointSamples farthest_point_samples(const TriangleMesh& mesh, const DistanceGraph& graph,
+FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& graph,
                                             const FarthestPointOptions& options);
 
 /// Distances between any two vertices, approximated from searches of a few (Sahillioglu and Yemez, section 3,

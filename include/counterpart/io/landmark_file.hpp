@@ -14,7 +14,7 @@ namespace counterpart {
 /// either two 0-based vertices or six coordinates (a point near the source, then one near the target; the
 /// closest vertices are taken, the first of equals). '#' starts a comment. Throws IoError naming file, line
 /// and reason: anything else on a line, a vertex that does not exist, no pair at all.
-std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file,
-                                                    const TriangleMesh& source, const TriangleMesh& target);
+std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file, MeshView source,
+                                                    MeshView target);
 
 }  // namespace counterpart

@@ -27,7 +27,7 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
 /// Writes OFF, OBJ, PLY (binary little-endian), STL (binary) or glTF, chosen by the extension. Text formats
 /// hold the shortest decimals that read back to the same doubles; PLY holds doubles; STL and glTF hold
 /// floats. /dev/stdout gets OBJ. The file appears whole or not at all. Throws IoError.
-void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& file);
+void write_mesh(MeshView mesh, const std::filesystem::path& file);
 
 /// A mesh with its attributes as read, and what the reader changed.
 struct AttributedMeshFile {

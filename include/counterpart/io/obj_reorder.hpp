@@ -18,7 +18,7 @@ namespace counterpart {
 /// dropped. Both texts must be files that read_mesh accepts, `source_triangles` what it makes of the first.
 /// Throws InvalidInput if the map is not complete or does not fit.
 std::string reorder_obj(std::string_view source_text, std::string_view target_text,
-                        const VertexMap& target_from_source, const Triangles& source_triangles,
-                        const Triangles& target_corner_from_source);
+                        const VertexMap& target_from_source, TrianglesView source_triangles,
+                        TrianglesView target_corner_from_source);
 
 }  // namespace counterpart

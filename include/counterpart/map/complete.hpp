@@ -23,7 +23,6 @@ struct CompletedMap {
 /// target's surface; vertices of components without any match get the image of the nearest matched vertex.
 /// Matched vertices keep theirs bit for bit. O(n^1.5 + n log F) for n unmatched vertices. Throws InvalidInput
 /// if the map does not fit the meshes or matches nothing.
-CompletedMap complete_map(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                          const TriangleMesh& target);
+CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target);
 
 }  // namespace counterpart

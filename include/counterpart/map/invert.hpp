@@ -21,8 +21,8 @@ struct InvertOptions {
 /// surface. A target vertex that is the image of exactly one source vertex maps back to it. Triangles with an
 /// unmatched corner are left out, as are those that bridge a tear of the map: their edges are far longer than
 /// its stretch explains. O(V) for meshes of similar resolution.
-SurfaceMap invert(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                  const TriangleMesh& target, const InvertOptions& options = {});
+SurfaceMap invert(const SurfaceMap& target_from_source, MeshView source, MeshView target,
+                  const InvertOptions& options = {});
 
 struct WithInverseOptions {
     /// How far the round trip of a source vertex may end from it, in mean edge lengths of the source; above
@@ -44,7 +44,7 @@ struct MapPair {
 /// where the map is torn between legs that touch, the vertex's image moves to where the inverse of the
 /// inverse takes it, if its round trip deviates less. A map between meshes of the same connectivity stays as
 /// it is.
-MapPair with_inverse(const SurfaceMap& target_from_source, const TriangleMesh& source,
-                     const TriangleMesh& target, const WithInverseOptions& options = {});
+MapPair with_inverse(const SurfaceMap& target_from_source, MeshView source, MeshView target,
+                     const WithInverseOptions& options = {});
 
 }  // namespace counterpart

@@ -29,7 +29,7 @@ struct ProjectOptions {
 /// fit over the source's tangent plane (Lancaster and Salkauskas 1981), which averages out the error of about
 /// half an edge that each vertex image has. Unmatched vertices stay unmatched unless `extend` says otherwise.
 /// O(V) for bounded valences.
-SurfaceMap project_map(const TriangleMesh& source, const TriangleMesh& target,
-                       const VertexMap& target_from_source, const ProjectOptions& options = {});
+SurfaceMap project_map(MeshView source, MeshView target, const VertexMap& target_from_source,
+                       const ProjectOptions& options = {});
 
 }  // namespace counterpart

@@ -40,18 +40,17 @@ void require_valid(const SurfaceMap& map, Index source_size, Index target_triang
 
 /// The same correspondence: each image becomes a corner, with weight 1, of its first triangle. Images that
 /// are in no triangle of the target become unmatched. O(V + F).
-SurfaceMap surface_map_of(const VertexMap& target_from_source, const TriangleMesh& target);
+SurfaceMap surface_map_of(const VertexMap& target_from_source, MeshView target);
 
 /// The corner with the largest weight (the first of equals). O(V).
-VertexMap nearest_corners(const SurfaceMap& target_from_source, const TriangleMesh& target);
+VertexMap nearest_corners(const SurfaceMap& target_from_source, MeshView target);
 
 /// Transfers per-vertex values of the target (n_target_vertices x K) to the source vertices: K weighted means
 /// each. Rows of unmatched vertices are NaN. O(V K).
-Matrix transfer_values(const SurfaceMap& target_from_source, const TriangleMesh& target,
-                       const Matrix& values);
+Matrix transfer_values(const SurfaceMap& target_from_source, MeshView target, const Matrix& values);
 
 /// Positions of the images: transfer_values of the target's vertices.
-Points image_positions(const SurfaceMap& target_from_source, const TriangleMesh& target);
+Points image_positions(const SurfaceMap& target_from_source, MeshView target);
 
 Index count_matched(const SurfaceMap& map);
 

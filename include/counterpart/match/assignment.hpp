@@ -23,7 +23,6 @@ struct AssignmentResult {
 /// the one-to-one map with the least sum of squared Euclidean distances. Best where the meshes nearly
 /// coincide; for different poses it solves the wrong problem exactly. O(V^3) time in the worst case, 8
 /// V_source V_target bytes. Throws InvalidInput for invalid meshes and for ones above max_vertices.
-AssignmentResult match_assignment(const TriangleMesh& source, const TriangleMesh& target,
-                                  const AssignmentOptions& options = {});
+AssignmentResult match_assignment(MeshView source, MeshView target, const AssignmentOptions& options = {});
 
 }  // namespace counterpart

@@ -51,7 +51,6 @@ struct MeshDifferences {
 /// take the vertex that lies where their matched neighbors expect it. So a local edit costs its surroundings
 /// at most, and unrelated meshes share nothing. No pose is assumed. O(F log F); the part that differs costs
 /// most. Throws InvalidInput for invalid meshes or options, and Canceled.
-MeshDifferences find_differences(const TriangleMesh& source, const TriangleMesh& target,
-                                 const DifferencesOptions& options = {});
+MeshDifferences find_differences(MeshView source, MeshView target, const DifferencesOptions& options = {});
 
 }  // namespace counterpart

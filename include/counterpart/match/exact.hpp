@@ -79,7 +79,6 @@ struct ExactResult {
 /// vertices are paired by position. O(V + F) unless most traversals fail late. Throws InvalidInput for
 /// invalid meshes or options, Canceled, and NumericalError where patches of a non-manifold mesh fit in more
 /// ways than can be searched.
-ExactResult match_exact(const TriangleMesh& source, const TriangleMesh& target,
-                        const ExactOptions& options = {});
+ExactResult match_exact(MeshView source, MeshView target, const ExactOptions& options = {});
 
 }  // namespace counterpart

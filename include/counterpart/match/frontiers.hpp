@@ -69,8 +69,7 @@ struct FrontiersResult {
 /// Components are matched one by one; those of the same connectivity are told apart by position. Throws
 /// InvalidInput for invalid meshes or options, and if the connectivity differs, naming the first difference
 /// found.
-FrontiersResult match_frontiers(const TriangleMesh& source, const TriangleMesh& target,
-                                const FrontiersOptions& options = {});
+FrontiersResult match_frontiers(MeshView source, MeshView target, const FrontiersOptions& options = {});
 
 struct GeodesicFrontiersOptions {
     Index source_seed = -1;  ///< corresponding vertices to start from, both or none; -1 = automatic
@@ -101,7 +100,7 @@ struct GeodesicFrontiersResult {
 /// profile_difference) and, of several such pairs, the one whose bands are closest. Distances are relative to
 /// the farthest vertex. Poses must be similar: a band is translated and bent, not rotated. Throws
 /// InvalidInput for invalid meshes or options. About O(V^1.5) plus TPS-RPM on each band, cubic in its size.
-GeodesicFrontiersResult match_geodesic_frontiers(const TriangleMesh& source, const TriangleMesh& target,
+GeodesicFrontiersResult match_geodesic_frontiers(MeshView source, MeshView target,
                                                  const GeodesicFrontiersOptions& options = {});
 
 }  // namespace counterpart

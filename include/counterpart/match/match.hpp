@@ -71,6 +71,6 @@ struct MatchResult {
 /// Asking for the mirrored map (spectral.symmetric) or giving landmarks skips 1 and 2. Throws InvalidInput
 /// for invalid meshes or options (a method's own are checked when it runs), Canceled; a method that is asked
 /// for by name also throws what it throws itself.
-MatchResult match(const TriangleMesh& source, const TriangleMesh& target, const MatchOptions& options = {});
+MatchResult match(MeshView source, MeshView target, const MatchOptions& options = {});
 
 }  // namespace counterpart

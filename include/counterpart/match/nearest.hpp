@@ -27,7 +27,6 @@ struct NearestResult {
 /// The naive baseline of Sahillioglu and Yemez, section 5: aligns the meshes, by default their centroids (see
 /// NearestAlignment), then maps every source vertex to the closest target vertex; of equally close ones, the
 /// smallest. O(V log V). Throws InvalidInput for invalid meshes.
-NearestResult match_nearest(const TriangleMesh& source, const TriangleMesh& target,
-                            const NearestOptions& options = {});
+NearestResult match_nearest(MeshView source, MeshView target, const NearestOptions& options = {});
 
 }  // namespace counterpart

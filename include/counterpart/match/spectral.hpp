@@ -36,7 +36,7 @@ class SpectralShape {
   public:
     /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 20 distinct vertex
     /// positions, and options out of range. About O(V^1.2 basis_size).
-    explicit SpectralShape(const TriangleMesh& mesh, const SpectralShapeOptions& options = {});
+    explicit SpectralShape(MeshView mesh, const SpectralShapeOptions& options = {});
 
   private:
     friend SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,
@@ -83,8 +83,7 @@ struct SpectralResult {
 /// With progress the work runs on a thread of its own while the calling thread reports; cancelling takes
 /// effect within about half a second at 100 000 vertices. Throws InvalidInput as SpectralShape, and for
 /// options out of range; Canceled. About O(V^1.2 basis_size) time, O(V basis_size) memory.
-SpectralResult match_spectral(const TriangleMesh& source, const TriangleMesh& target,
-                              const SpectralOptions& options = {},
+SpectralResult match_spectral(MeshView source, MeshView target, const SpectralOptions& options = {},
                               const SpectralShapeOptions& shape_options = {});
 SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,
                               const SpectralOptions& options = {});

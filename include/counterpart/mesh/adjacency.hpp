@@ -13,7 +13,7 @@ namespace counterpart {
 /// manifold and non-manifold meshes alike; a vertex is not its own neighbor. Built in O(V + F log valence).
 class Adjacency {
   public:
-    explicit Adjacency(const TriangleMesh& mesh);
+    explicit Adjacency(MeshView mesh);
 
     Index n_vertices() const { return static_cast<Index>(first_.size()) - 1; }
     /// Each undirected edge counted once.

@@ -49,6 +49,6 @@ struct MeshReport {
 };
 
 /// Counts and measures. O((V + F) log F). Throws InvalidInput for a mesh that require_valid rejects.
-MeshReport analyze(const TriangleMesh& mesh);
+MeshReport analyze(MeshView mesh);
 
 }  // namespace counterpart

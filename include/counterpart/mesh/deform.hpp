@@ -21,6 +21,6 @@ struct DeformOptions {
 /// and twisting preserve lengths near the central axis and change them by a fraction of about angle *
 /// distance from the axis / length away from it. O(V). Throws InvalidInput for an invalid mesh or options out
 /// of range.
-TriangleMesh deform(const TriangleMesh& mesh, const DeformOptions& options);
+TriangleMesh deform(MeshView mesh, const DeformOptions& options);
 
 }  // namespace counterpart

@@ -19,6 +19,6 @@ struct OrientResult {
 /// encloses a negative volume is flipped, and all open components together if they do. A flat mesh has no
 /// outside: its orientation is kept. Degenerate triangles stay as they are. O(F log valence). Throws
 /// InvalidInput for an invalid mesh.
-OrientResult orient(const TriangleMesh& mesh);
+OrientResult orient(MeshView mesh);
 
 }  // namespace counterpart

@@ -32,6 +32,6 @@ TriangleMesh make_body(const BodyOptions& options = {});
 /// Each triangle is replaced by the three at its corners, then the middle one; degenerate triangles are
 /// dropped. O(F log valence). Throws InvalidInput for a mesh that require_valid rejects, or if the result
 /// would have too many vertices for Index.
-TriangleMesh subdivide(const TriangleMesh& mesh);
+TriangleMesh subdivide(MeshView mesh);
 
 }  // namespace counterpart

@@ -19,7 +19,7 @@ struct ShuffleResult {
 
 /// The same surface with its vertices, triangles, and the first corner of each triangle in random order.
 /// Preserves orientation. O(V + F).
-ShuffleResult shuffle(const TriangleMesh& mesh, std::uint64_t seed);
+ShuffleResult shuffle(MeshView mesh, std::uint64_t seed);
 
 struct AttributedShuffleResult {
     AttributedMesh content;
@@ -31,6 +31,6 @@ AttributedShuffleResult shuffle(const AttributedMesh& content, std::uint64_t see
 
 /// Applies a random rotation, a scale in [0.5, 2] and a translation by up to three mesh units along each
 /// axis. No reflection. O(V).
-TriangleMesh move_at_random(const TriangleMesh& mesh, std::uint64_t seed);
+TriangleMesh move_at_random(MeshView mesh, std::uint64_t seed);
 
 }  // namespace counterpart

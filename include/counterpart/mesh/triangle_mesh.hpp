@@ -20,9 +20,25 @@ struct TriangleMesh {
     Index n_triangles() const { return static_cast<Index>(triangles.rows()); }
 };
 
+/// A mesh in arrays that someone else owns: of a `TriangleMesh`, or of memory that is laid out like it. It
+/// must not outlive them. Functions take meshes as views by value, so that no caller has to copy.
+struct MeshView {
+    PointsView vertices;
+    TrianglesView triangles;
+
+    MeshView() = default;
+    MeshView(MeshView mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}
+    MeshView(PointsView vertex_rows, TrianglesView triangle_rows)
+        : vertices(vertex_rows), triangles(triangle_rows) {}
+
+    Index n_vertices() const { return static_cast<Index>(vertices.rows()); }
+    Index n_triangles() const { return static_cast<Index>(triangles.rows()); }
+    TriangleMesh copy() const { return {vertices, triangles}; }
+};
+
 /// Throws InvalidInput naming the first bad element: no vertices, no triangles, a coordinate that is not
 /// finite, or a vertex number out of range. Every public function that takes a mesh expects it to pass. O(V +
 /// F).
-void require_valid(const TriangleMesh& mesh);
+void require_valid(MeshView mesh);
 
 }  // namespace counterpart

@@ -23,6 +23,6 @@ struct WeldResult {
 /// chains of close vertices do not collapse to a point. All triangles are kept, including those that become
 /// degenerate. O(V) for distances below the edge lengths. Throws InvalidInput for an invalid mesh or a
 /// distance that is negative or not finite.
-WeldResult weld(const TriangleMesh& mesh, const WeldOptions& options = {});
+WeldResult weld(MeshView mesh, const WeldOptions& options = {});
 
 }  // namespace counterpart

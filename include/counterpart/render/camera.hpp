@@ -25,23 +25,23 @@ struct CameraOptions {
 /// With y up the front is +z, with z up it is -y, as is usual in mesh formats. An automatic view looks along
 /// the horizontal principal axis of least extent, from the front. Throws InvalidInput for options it does not
 /// know. O(V).
-Camera find_camera(const TriangleMesh& mesh, const CameraOptions& options = {});
+Camera find_camera(MeshView mesh, const CameraOptions& options = {});
 
 /// The view in which the target looks as the source does in `source_view`: rotated by the best rotation
 /// between matched vertices (Procrustes). If that is less than 40 degrees, the meshes differ in pose rather
 /// than in orientation, and the target gets the source's view; also if fewer than three vertices are matched.
-Camera matching_camera(const Camera& source_view, const TriangleMesh& source, const TriangleMesh& target,
+Camera matching_camera(const Camera& source_view, MeshView source, MeshView target,
                        const VertexMap& target_from_source);
 
 /// Transforms a mesh, and what is drawn with it, to image space: rotated into `view`, scaled to unit area,
 /// with the center of its box at 0.
 class Placement {
   public:
-    Placement(const TriangleMesh& mesh, const Camera& view);
+    Placement(MeshView mesh, const Camera& view);
     Eigen::RowVector3d operator()(const Eigen::RowVector3d& point) const {
         return scale_ * (point * view_.transpose()) + offset_;
     }
-    TriangleMesh operator()(const TriangleMesh& mesh) const;
+    TriangleMesh operator()(MeshView mesh) const;
     void shift(const Eigen::RowVector3d& by) { offset_ += by; }
     double scale() const { return scale_; }
     /// Half the size of the mesh's box in image space.

@@ -21,8 +21,7 @@ inline Color plain_color() { return {0.86, 0.855, 0.84}; }
 void arrange_in_row(std::span<Placement> placements);
 
 /// The mesh in one color.
-Surface plain_surface(const TriangleMesh& mesh, const Placement& placement,
-                      const Color& color = plain_color());
+Surface plain_surface(MeshView mesh, const Placement& placement, const Color& color = plain_color());
 
 struct FrontierFigureOptions {
     Index every = 5;    ///< draw frontier 0, every, 2 every, ...; at least 1
@@ -31,21 +30,21 @@ struct FrontierFigureOptions {
 /// The mesh with every n-th frontier in its own color, from dark blue at the seed to yellow at the farthest,
 /// and a red dot at the seed. `level` is the frontier of each vertex, -1 for those in none (gray). Throws
 /// InvalidInput if the sizes differ or `every` is less than 1.
-void add_frontiers(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
-                   std::span<const Index> level, const FrontierFigureOptions& options = {});
+void add_frontiers(Scene& scene, MeshView mesh, const Placement& placement, std::span<const Index> level,
+                   const FrontierFigureOptions& options = {});
 
 /// A dot for each sample, and its cell in one of eight pale colors.
-void add_farthest_point_samples(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
+void add_farthest_point_samples(Scene& scene, MeshView mesh, const Placement& placement,
                                 const FarthestPointSamples& bases);
 
 /// The part of the mesh within `radius` (mesh units) of `center`: its edges in gray, the shortcuts across
 /// them in orange, and its vertices as dots with one color per frontier. Throws InvalidInput if no triangle
 /// lies within.
-void add_shortcuts(Scene& scene, const TriangleMesh& mesh, const Placement& placement,
-                   std::span<const Index> level, Index center, double radius);
+void add_shortcuts(Scene& scene, MeshView mesh, const Placement& placement, std::span<const Index> level,
+                   Index center, double radius);
 
 /// The part of the mesh that add_shortcuts draws, as a mesh of its own.
-TriangleMesh patch_around(const TriangleMesh& mesh, Index center, double radius);
+TriangleMesh patch_around(MeshView mesh, Index center, double radius);
 
 /// Two frontiers in space: the dots and edges of the first in blue, of the second in orange, and a thin gray
 /// line for each pair (index in first, index in second). All in image space.
@@ -57,15 +56,14 @@ void add_frontier_pair(Scene& scene, const FrontierPair& frontiers, double dot_r
 
 /// A mesh with its placement in the image.
 struct PlacedMesh {
-    const TriangleMesh& mesh;
+    MeshView mesh;
     Placement placement;
 };
 
 /// Values of source vertices transferred to the target: each target vertex gets the mean over the source
 /// vertices mapped to it. Vertices that are not images get the mean of their neighbors, up to three edges
 /// away; beyond that, NaN. `values` is source vertices x 3. O(V).
-Points transfer_to_target(const Points& values, const VertexMap& target_from_source,
-                          const TriangleMesh& target);
+Points transfer_to_target(PointsView values, const VertexMap& target_from_source, MeshView target);
 
 enum class Texture {
     colors,  ///< position_color

@@ -21,6 +21,6 @@ struct EigenBasis {
 /// choice within repeated eigenvalues. About O(V^1.2 * n_functions). `progress` is called at every step of
 /// the iteration. Throws InvalidInput if n_functions < 1, NumericalError if the iteration fails, Canceled.
 EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress = {});
-EigenBasis eigen_basis(const TriangleMesh& mesh, int n_functions, const Progress& progress = {});
+EigenBasis eigen_basis(MeshView mesh, int n_functions, const Progress& progress = {});
 
 }  // namespace counterpart

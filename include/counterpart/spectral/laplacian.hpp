@@ -31,6 +31,6 @@ struct LaplaceBeltrami {
 /// triangle follow the nearest other vertex. O(V) flips in practice. Sharp and Crane, "A Laplacian for
 /// Nonmanifold Triangle Meshes", 2020 (mollification); Bobenko and Springborn 2007 (intrinsic Delaunay).
 /// Throws InvalidInput for invalid meshes and for meshes of zero area.
-LaplaceBeltrami laplace_beltrami(const TriangleMesh& mesh, const LaplacianOptions& options = {});
+LaplaceBeltrami laplace_beltrami(MeshView mesh, const LaplacianOptions& options = {});
 
 }  // namespace counterpart

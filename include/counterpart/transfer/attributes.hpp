@@ -34,9 +34,8 @@ struct TransferredCorners {
 /// bit for bit. Unmatched vertices get images by complete_map. Equal values at a vertex share a row. Throws
 /// InvalidInput if the map, the attribute or the labels do not fit. O(F log F) for meshes of similar
 /// resolution.
-TransferredCorners transfer_corners(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                                    const TriangleMesh& target, const CornerAttribute& attribute,
-                                    const std::vector<Index>& labels = {},
+TransferredCorners transfer_corners(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                                    const CornerAttribute& attribute, const std::vector<Index>& labels = {},
                                     const TransferCornersOptions& options = {});
 
 /// Normals for the target's corners (n x 3 unit vectors): hard edges are where the source's are, and each
@@ -44,8 +43,8 @@ TransferredCorners transfer_corners(const SurfaceMap& source_from_target, const 
 /// as the edges around it are, and then by the rotation from the source's geometric normal there to the
 /// target's. Geometric normals are area-weighted means over the triangles that share the normal. Edited
 /// normals are thus preserved, on a copy up to rounding. Throws as transfer_corners does.
-TransferredCorners transfer_normals(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                                    const TriangleMesh& target, const CornerAttribute& normals,
+TransferredCorners transfer_normals(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                                    const CornerAttribute& normals,
                                     const TransferCornersOptions& options = {});
 
 struct TransferSkinOptions {
@@ -65,9 +64,8 @@ struct TransferredSkin {
 /// An image at a source vertex gets its row bit for bit. Unmatched vertices get the harmonic extension of the
 /// weights around them. Throws InvalidInput if map or binding do not fit the meshes, a weight is negative or
 /// not finite, or a vertex's weights sum to zero while others in its component do not. O(V K log K).
-TransferredSkin transfer_skin(const SurfaceMap& source_from_target, const TriangleMesh& source,
-                              const TriangleMesh& target, const SkinBinding& skin,
-                              const TransferSkinOptions& options = {});
+TransferredSkin transfer_skin(const SurfaceMap& source_from_target, MeshView source, MeshView target,
+                              const SkinBinding& skin, const TransferSkinOptions& options = {});
 
 struct TransferredMorphTargets {
     std::vector<MorphTarget> morphs;  ///< of the target's vertices, names and order as given
@@ -78,8 +76,7 @@ struct TransferredMorphTargets {
 /// Blend shapes for the target: each displacement, interpolated on the source, is rotated and stretched as
 /// the map rotates and stretches the surface there, so that a smile on a wider face is a wider smile. Throws
 /// InvalidInput if the map or a morph does not fit the meshes.
-TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target,
-                                               const TriangleMesh& source, const TriangleMesh& target,
-                                               const std::vector<MorphTarget>& morphs);
+TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target, MeshView source,
+                                               MeshView target, const std::vector<MorphTarget>& morphs);
 
 }  // namespace counterpart

@@ -30,7 +30,7 @@ class Morph {
   public:
     /// `first` gives connectivity and pose 0, `last` (n_vertices x 3) pose 1. Throws InvalidInput if their
     /// sizes differ, a coordinate is not finite, or an option is out of range.
-    Morph(const TriangleMesh& first, const Points& last, const MorphOptions& options = {});
+    Morph(MeshView first, PointsView last, const MorphOptions& options = {});
     ~Morph();
     Morph(Morph&&) noexcept;
     Morph& operator=(Morph&&) noexcept;
@@ -56,16 +56,16 @@ struct LastPose {
 /// Where the map takes the vertices of `first`. Unmatched vertices follow the similarity that fits the whole
 /// and, on top of it, the displacements of their neighbors (a harmonic extension). O(n^1.5) for n unmatched
 /// vertices. Throws InvalidInput if the map does not fit the meshes or a component has no matched vertex.
-LastPose last_pose(const TriangleMesh& first, const TriangleMesh& last, const SurfaceMap& last_from_first);
+LastPose last_pose(MeshView first, MeshView last, const SurfaceMap& last_from_first);
 
 /// `count` shapes in between, evenly spaced in time, without the key frames. If triangles invert from one
 /// frame to the next, calls soften_around and starts again, up to three times; returns the pass with the
 /// fewest inversions.
-std::vector<Points> morph_frames(const TriangleMesh& first, const Points& last, int count,
-                                 const MorphOptions& options = {}, const Progress& progress = {});
+std::vector<Points> morph_frames(MeshView first, PointsView last, int count, const MorphOptions& options = {},
+                                 const Progress& progress = {});
 
 /// The triangles whose normals rotate by more than 90 degrees between two frames.
-std::vector<Index> inverted_triangles(const Triangles& triangles, const Points& before, const Points& after);
+std::vector<Index> inverted_triangles(TrianglesView triangles, PointsView before, PointsView after);
 
 /// How well a frame preserves the shape of its key frames.
 struct MorphQuality {
@@ -76,7 +76,6 @@ struct MorphQuality {
 };
 /// `before` is the frame before `frame` in the sequence (the first key frame for the first). Edges whose
 /// interpolated length is 0 are left out. O(V + F).
-MorphQuality measure_morph(const TriangleMesh& first, const Points& last, double time, const Points& frame,
-                           const Points& before);
+MorphQuality measure_morph(MeshView first, PointsView last, double time, PointsView frame, PointsView before);
 
 }  // namespace counterpart

@@ -37,7 +37,7 @@ struct ViewerOptions {
 /// each mesh, and 5.3 per source vertex and map (twice that with errors), on top of the viewer itself. O(V +
 /// F). Throws InvalidInput for an invalid mesh, no map, a map, error or truth that does not fit the meshes
 /// (the message names the map), or a base vertex out of range.
-std::string viewer_page(const TriangleMesh& source, const TriangleMesh& target,
-                        const std::vector<ViewerMap>& maps, const ViewerOptions& options = {});
+std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
+                        const ViewerOptions& options = {});
 
 }  // namespace counterpart

@@ -22,7 +22,7 @@ namespace {
 // Vertices of both meshes under one numbering: a matched target vertex has its source vertex's number.
 class CommonNames {
   public:
-    CommonNames(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& map)
+    CommonNames(MeshView source, MeshView target, const std::vector<Index>& map)
         : source_(source), target_(target), name_(to_size(target.n_vertices())) {
         std::iota(name_.begin(), name_.end(), source.n_vertices());
         for (Index v = 0; v < source.n_vertices(); ++v)
@@ -33,8 +33,8 @@ class CommonNames {
     }
 
   private:
-    const TriangleMesh& source_;
-    const TriangleMesh& target_;
+    MeshView source_;
+    MeshView target_;
     std::vector<Index> name_;
 };
 
@@ -44,7 +44,7 @@ struct Item {
 };
 
 // The two vertices on the edge that two triangles share, as numbers of that mesh; {-1, -1} if they do not.
-std::pair<Index, Index> shared_edge(const TriangleMesh& mesh, Index t, Index u) {
+std::pair<Index, Index> shared_edge(MeshView mesh, Index t, Index u) {
     std::vector<Index> shared;
     for (int c = 0; c < 3; ++c)
         for (int d = 0; d < 3; ++d)
@@ -52,7 +52,7 @@ std::pair<Index, Index> shared_edge(const TriangleMesh& mesh, Index t, Index u) 
     return shared.size() == 2 ? std::pair(shared[0], shared[1]) : std::pair(Index{-1}, Index{-1});
 }
 
-std::string missing(std::string_view from, const TriangleMesh& mesh, const std::vector<Index>& triangles,
+std::string missing(std::string_view from, MeshView mesh, const std::vector<Index>& triangles,
                     const std::vector<Index>& vertices) {
     std::set<Index> all;
     for (const Index t : triangles)
@@ -68,7 +68,7 @@ std::string missing(std::string_view from, const TriangleMesh& mesh, const std::
     return fmt::format("{} faces around face {} are missing in the {}", triangles.size(), triangles[0], from);
 }
 
-std::string describe(const TriangleMesh& source, const TriangleMesh& target, const Edit& edit) {
+std::string describe(MeshView source, MeshView target, const Edit& edit) {
     const std::size_t n = edit.source_triangles.size(), m = edit.target_triangles.size(),
                       gone = edit.source_vertices.size(), added = edit.target_vertices.size();
     if (m == 0) return missing("target", source, edit.source_triangles, edit.source_vertices);
@@ -97,8 +97,7 @@ std::string describe(const TriangleMesh& source, const TriangleMesh& target, con
 
 }  // namespace
 
-std::vector<Edit> find_edits(const TriangleMesh& source, const TriangleMesh& target,
-                             const MeshDifferences& differences) {
+std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDifferences& differences) {
     const CommonNames names(source, target, differences.target_from_source.image());
     std::vector<Item> items;
     for (const Index t : differences.source_triangles) items.push_back({false, t});
@@ -118,7 +117,7 @@ std::vector<Edit> find_edits(const TriangleMesh& source, const TriangleMesh& tar
         Edit& edit = by_root[places.root(static_cast<Index>(i))];
         (items[i].in_target ? edit.target_triangles : edit.source_triangles).push_back(items[i].triangle);
     }
-    const auto collect = [](const TriangleMesh& mesh, const std::vector<Index>& triangles,
+    const auto collect = [](MeshView mesh, const std::vector<Index>& triangles,
                             const std::vector<Index>& unmatched) {
         std::set<Index> found;
         for (const Index t : triangles)

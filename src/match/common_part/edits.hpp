@@ -10,7 +10,6 @@ namespace counterpart::common_part {
 
 /// Groups the triangles without counterpart that share edges, across both meshes, and says what each group
 /// looks like. `differences` holds the map and the lists of what is unmatched.
-std::vector<Edit> find_edits(const TriangleMesh& source, const TriangleMesh& target,
-                             const MeshDifferences& differences);
+std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDifferences& differences);
 
 }  // namespace counterpart::common_part

@@ -22,7 +22,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-PairSide::PairSide(const TriangleMesh& mesh_of_side, const DartMap& map_of_side)
+PairSide::PairSide(MeshView mesh_of_side, const DartMap& map_of_side)
     : mesh(mesh_of_side), map(map_of_side), colors{vertex_colors(map, 0)} {
     colors[1] = refined_colors(map, colors[0], 1);
     colors[2] = refined_colors(map, colors[1], 1);

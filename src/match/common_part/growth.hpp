@@ -17,11 +17,11 @@ namespace counterpart::common_part {
 
 /// One of the two meshes.
 struct PairSide {
-    const TriangleMesh& mesh;
+    MeshView mesh;
     const DartMap& map;
     std::array<std::vector<Color>, 3> colors;  ///< of its vertices, seeing 0, 1, 2 edges far
 
-    PairSide(const TriangleMesh& mesh_of_side, const DartMap& map_of_side);
+    PairSide(MeshView mesh_of_side, const DartMap& map_of_side);
     Eigen::RowVector3d position(Index v) const {
         return mesh.vertices.row(map.input_vertex[isomorphism::to_size(v)]);
     }

@@ -10,7 +10,7 @@ namespace counterpart::common_part {
 
 using isomorphism::to_size;
 
-Prediction::Prediction(const TriangleMesh& source, const TriangleMesh& target, bool reversed)
+Prediction::Prediction(MeshView source, MeshView target, bool reversed)
     : source_(source),
       target_(target),
       reversed_(reversed),

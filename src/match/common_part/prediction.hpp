@@ -16,7 +16,7 @@ namespace counterpart::common_part {
 class Prediction {
   public:
     /// `reversed`: the surfaces are wound against each other, and the similarity may reflect.
-    Prediction(const TriangleMesh& source, const TriangleMesh& target, bool reversed);
+    Prediction(MeshView source, MeshView target, bool reversed);
 
     struct Expected {
         Eigen::RowVector3d position;
@@ -33,8 +33,8 @@ class Prediction {
   private:
     std::vector<Index> anchors(Index v, const std::vector<Index>& map);
 
-    const TriangleMesh& source_;
-    const TriangleMesh& target_;
+    MeshView source_;
+    MeshView target_;
     bool reversed_;
     Adjacency adjacency_;
     std::vector<std::uint32_t> seen_;  // number of the search that saw each vertex last

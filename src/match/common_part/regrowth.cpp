@@ -136,8 +136,8 @@ class Regrowth {
         return sum;
     }
 
-    const TriangleMesh& source_;
-    const TriangleMesh& target_;
+    MeshView source_;
+    MeshView target_;
     std::vector<Index> map_;
     Prediction& prediction_;
     Adjacency in_target_;

@@ -20,8 +20,7 @@ Triple sorted(Triple t) {
 
 }  // namespace
 
-std::vector<Index> match_triangles(const TriangleMesh& source, const TriangleMesh& target,
-                                   const std::vector<Index>& map) {
+std::vector<Index> match_triangles(MeshView source, MeshView target, const std::vector<Index>& map) {
     std::vector<std::pair<Triple, Index>> by_vertices;
     for (Index u = 0; u < target.n_triangles(); ++u)
         by_vertices.emplace_back(
@@ -45,8 +44,8 @@ std::vector<Index> match_triangles(const TriangleMesh& source, const TriangleMes
     return partner;
 }
 
-std::vector<Index> weakly_supported(const TriangleMesh& source, const TriangleMesh& target,
-                                    const std::vector<Index>& partner, const std::vector<Index>& map) {
+std::vector<Index> weakly_supported(MeshView source, MeshView target, const std::vector<Index>& partner,
+                                    const std::vector<Index>& map) {
     const std::vector<Index> in_source = valences(source), in_target = valences(target);
     std::vector<Index> support(in_source.size(), 0), weak;
     for (Index t = 0; t < source.n_triangles(); ++t)
@@ -86,21 +85,21 @@ std::vector<std::vector<Index>> matched_regions(const DartMap& map, const std::v
     return regions;
 }
 
-std::vector<Index> valences(const TriangleMesh& mesh) {
+std::vector<Index> valences(MeshView mesh) {
     std::vector<Index> valence(to_size(mesh.n_vertices()), 0);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) ++valence[to_size(mesh.triangles(t, c))];
     return valence;
 }
 
-std::vector<std::vector<Index>> triangles_at_vertices(const TriangleMesh& mesh) {
+std::vector<std::vector<Index>> triangles_at_vertices(MeshView mesh) {
     std::vector<std::vector<Index>> around(to_size(mesh.n_vertices()));
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) around[to_size(mesh.triangles(t, c))].push_back(t);
     return around;
 }
 
-std::vector<std::array<Index, 3>> sorted_faces(const TriangleMesh& mesh) {
+std::vector<std::array<Index, 3>> sorted_faces(MeshView mesh) {
     std::vector<Triple> faces;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         faces.push_back(sorted({mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)}));

@@ -33,7 +33,7 @@ std::vector<double> information(const std::vector<Index>& valence) {
 
 class Verifier {
   public:
-    Verifier(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& map,
+    Verifier(MeshView source, MeshView target, const std::vector<Index>& map,
              const std::vector<Index>& partner, Prediction& prediction)
         : source_(source),
           target_(target),
@@ -125,8 +125,8 @@ class Verifier {
                bits >= std::log2(3 * n_a * 6 * n_b) + tuning.significance;
     }
 
-    const TriangleMesh& source_;
-    const TriangleMesh& target_;
+    MeshView source_;
+    MeshView target_;
     const std::vector<Index>& map_;
     Prediction& prediction_;
     std::vector<Index> source_valence_, target_valence_;
@@ -140,10 +140,9 @@ class Verifier {
 
 }  // namespace
 
-std::vector<Index> without_misplaced(const DartMap& source, const TriangleMesh& source_mesh,
-                                     const TriangleMesh& target_mesh, const std::vector<Index>& map,
-                                     const std::vector<Index>& partner, const std::vector<bool>& known,
-                                     Prediction& prediction) {
+std::vector<Index> without_misplaced(const DartMap& source, MeshView source_mesh, MeshView target_mesh,
+                                     const std::vector<Index>& map, const std::vector<Index>& partner,
+                                     const std::vector<bool>& known, Prediction& prediction) {
     Verifier verifier(source_mesh, target_mesh, map, partner, prediction);
     const std::vector<Region> regions = matched_regions(source, partner);
     const auto is_known = [&](const Region& region) { return bool(known[to_size(region[0])]); };

@@ -17,8 +17,8 @@ namespace counterpart::common_part {
 ///
 /// `partner`: the target triangle of each source triangle or -1; triangles in `known` are kept without
 /// question. O(F).
-std::vector<Index> without_misplaced(const isomorphism::DartMap& source, const TriangleMesh& source_mesh,
-                                     const TriangleMesh& target_mesh, const std::vector<Index>& map,
+std::vector<Index> without_misplaced(const isomorphism::DartMap& source, MeshView source_mesh,
+                                     MeshView target_mesh, const std::vector<Index>& map,
                                      const std::vector<Index>& partner, const std::vector<bool>& known,
                                      Prediction& prediction);
 

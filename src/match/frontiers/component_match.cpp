@@ -31,7 +31,7 @@ Corners canonical(Index a, Index b, Index c) {
     return b <= a && b <= c ? Corners{b, c, a} : Corners{c, a, b};
 }
 
-std::vector<Corners> sorted_triangles(const TriangleMesh& mesh) {
+std::vector<Corners> sorted_triangles(MeshView mesh) {
     std::vector<Corners> result;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         result.push_back(canonical(mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)));

@@ -23,7 +23,7 @@ struct PlacedPair {
 /// Pairs the components of a group with the same connectivity: each is moved as the matched vertices near it
 /// are, and one assignment over the whole group takes the pairs of least squared distance between centers and
 /// between second moments. `given`: indices that correspond, or -1.
-std::vector<PlacedPair> place_components(const TriangleMesh& source, const TriangleMesh& target,
+std::vector<PlacedPair> place_components(MeshView source, MeshView target,
                                          const std::vector<ComponentMesh>& source_parts,
                                          const std::vector<ComponentMesh>& target_parts,
                                          const ComponentGroup& group, const std::vector<Index>& matched,

@@ -16,7 +16,7 @@
 namespace counterpart::frontiers {
 namespace {
 
-std::uint64_t signature_of(const TriangleMesh& mesh, const Adjacency& adjacency) {
+std::uint64_t signature_of(MeshView mesh, const Adjacency& adjacency) {
     std::vector<std::uint64_t> color(to_size(mesh.n_vertices()), 0), next(color);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) ++color[to_size(mesh.triangles(t, c))];
@@ -61,7 +61,7 @@ bool alike(const ComponentMesh& a, const ComponentMesh& b) {
 
 }  // namespace
 
-std::vector<ComponentMesh> split_components(const TriangleMesh& mesh, const Adjacency& adjacency) {
+std::vector<ComponentMesh> split_components(MeshView mesh, const Adjacency& adjacency) {
     const Components components = connected_components(adjacency);
     std::vector<std::vector<Index>> vertices(to_size(components.count)), triangles(to_size(components.count));
     std::vector<Index> number(to_size(mesh.n_vertices()));  // of each vertex within its component
@@ -109,8 +109,8 @@ std::vector<ComponentGroup> group_components(const std::vector<ComponentMesh>& s
     return groups;
 }
 
-void require_same_counts(const TriangleMesh& source, const Adjacency& source_adjacency,
-                         const TriangleMesh& target, const Adjacency& target_adjacency) {
+void require_same_counts(MeshView source, const Adjacency& source_adjacency, MeshView target,
+                         const Adjacency& target_adjacency) {
     require_same(source.n_vertices(), target.n_vertices(), "vertices");
     require_same(source.n_triangles(), target.n_triangles(), "triangles");
     require_same(source_adjacency.n_edges(), target_adjacency.n_edges(), "edges");

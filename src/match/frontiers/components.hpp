@@ -20,7 +20,7 @@ struct ComponentMesh {
 };
 
 /// Largest first, then by signature, then by smallest vertex.
-std::vector<ComponentMesh> split_components(const TriangleMesh& mesh, const Adjacency& adjacency);
+std::vector<ComponentMesh> split_components(MeshView mesh, const Adjacency& adjacency);
 
 /// Components of both meshes with one signature, by their indices in the two lists.
 struct ComponentGroup {
@@ -32,7 +32,7 @@ std::vector<ComponentGroup> group_components(const std::vector<ComponentMesh>& s
 
 /// Throws InvalidInput naming the first difference: numbers of vertices, triangles, edges, vertices of a
 /// valence.
-void require_same_counts(const TriangleMesh& source, const Adjacency& source_adjacency,
-                         const TriangleMesh& target, const Adjacency& target_adjacency);
+void require_same_counts(MeshView source, const Adjacency& source_adjacency, MeshView target,
+                         const Adjacency& target_adjacency);
 
 }  // namespace counterpart::frontiers

@@ -33,7 +33,7 @@ struct View {
 
 // All that one mesh contributes before it is seen from a source vertex.
 struct PairSide {
-    explicit PairSide(const TriangleMesh& m) : mesh(m), graph(m), areas(vertex_areas(m)) {}
+    explicit PairSide(MeshView m) : mesh(m), graph(m), areas(vertex_areas(m)) {}
 
     View view_from(Index source) const {
         View view{source, distances_from(graph, source), {}};
@@ -61,7 +61,7 @@ struct PairSide {
         return result;
     }
 
-    const TriangleMesh& mesh;
+    MeshView mesh;
     DistanceGraph graph;
     Vector areas;
 };
@@ -111,8 +111,7 @@ CentersFit fit_centers(const Bands& ours, const Bands& theirs, Index count) {
     return {as_they_lie, std::nullopt};
 }
 
-void require_usable(const TriangleMesh& source, const TriangleMesh& target,
-                    const GeodesicFrontiersOptions& options) {
+void require_usable(MeshView source, MeshView target, const GeodesicFrontiersOptions& options) {
     require_valid(source);
     require_valid(target);
     if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
@@ -155,8 +154,7 @@ Start choose_start(const PairSide& a, const PairSide& b, const GeodesicFrontiers
     return std::move(*best);
 }
 
-GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& target,
-                              const GeodesicFrontiersOptions& options) {
+GeodesicFrontiersResult match(MeshView source, MeshView target, const GeodesicFrontiersOptions& options) {
     Stopwatch watch;
     const PairSide a(source), b(target);
     const Index fewer = std::min(source.n_vertices(), target.n_vertices());
@@ -197,7 +195,7 @@ GeodesicFrontiersResult match(const TriangleMesh& source, const TriangleMesh& ta
 
 }  // namespace
 
-GeodesicFrontiersResult match_geodesic_frontiers(const TriangleMesh& source, const TriangleMesh& target,
+GeodesicFrontiersResult match_geodesic_frontiers(MeshView source, MeshView target,
                                                  const GeodesicFrontiersOptions& options) {
     require_usable(source, target, options);
     return with_threads(options.n_threads, [&] { return match(source, target, options); });

@@ -241,7 +241,7 @@ class LoopMatcher {
         return penalty;
     }
 
-    static Points bend(const Points& aligned, const Points& y, double mean_squared) {
+    static Points bend(PointsView aligned, PointsView y, double mean_squared) {
         TpsRpmOptions rpm;
         rpm.initial_temperature = 10 * mean_squared;
         rpm.annealing_rate = 0.9;
@@ -249,7 +249,7 @@ class LoopMatcher {
         return tps_rpm(aligned, y, rpm).transformed;
     }
 
-    static double mean_squared(const Points& aligned, const Points& y, const std::vector<Index>& chosen) {
+    static double mean_squared(PointsView aligned, PointsView y, const std::vector<Index>& chosen) {
         double sum = 0;
         Index count = 0;
         for (std::size_t i = 0; i < chosen.size(); ++i) {

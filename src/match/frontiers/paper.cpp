@@ -15,7 +15,7 @@ namespace counterpart::frontiers {
 namespace {
 
 // S: the sum of squared distances from each point to the closest one.
-double closest_sum(const Points& aligned, const Points& target) {
+double closest_sum(PointsView aligned, PointsView target) {
     double sum = 0;
     for (Eigen::Index i = 0; i < aligned.rows(); ++i)
         sum += (target.rowwise() - aligned.row(i)).rowwise().squaredNorm().minCoeff();
@@ -24,7 +24,7 @@ double closest_sum(const Points& aligned, const Points& target) {
 
 }  // namespace
 
-Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold) {
+Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold) {
     const Points centered = align_centroids(x, y)(x);
     const double sum = closest_sum(centered, y);
     const auto n = static_cast<double>(x.rows());

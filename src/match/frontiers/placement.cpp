@@ -23,7 +23,7 @@ constexpr std::size_t max_assignment = 2000;  // components: beyond that the cos
 struct Moments {
     Eigen::Vector3d mean;
     Eigen::Matrix3d spread;  // covariance over its square root of trace, in units of length
-    explicit Moments(const Points& points) : mean(points.colwise().mean().transpose()) {
+    explicit Moments(PointsView points) : mean(points.colwise().mean().transpose()) {
         const Points centered = points.rowwise() - mean.transpose();
         spread = centered.transpose() * centered / static_cast<double>(points.rows());
         const double size = std::sqrt(spread.trace());
@@ -34,7 +34,7 @@ struct Moments {
 // How the neighborhood of a component moves, told by the matched vertices nearest to it.
 class Surroundings {
   public:
-    Surroundings(const TriangleMesh& source, const TriangleMesh& target, const std::vector<Index>& matched)
+    Surroundings(MeshView source, MeshView target, const std::vector<Index>& matched)
         : source_(source), target_(target), matched_(matched) {
         for (std::size_t v = 0; v < matched.size(); ++v)
             if (matched[v] >= 0) anchors_.push_back(static_cast<Index>(v));
@@ -67,7 +67,7 @@ class Surroundings {
         return motion;
     }
 
-    const TriangleMesh &source_, &target_;
+    MeshView source_, target_;
     const std::vector<Index>& matched_;
     std::vector<Index> anchors_;
     std::optional<numerics::NearestNeighbors> nearest_;
@@ -119,7 +119,7 @@ std::vector<Index> pair_by_moments(const std::vector<Moments>& ours, const std::
 
 }  // namespace
 
-std::vector<PlacedPair> place_components(const TriangleMesh& source, const TriangleMesh& target,
+std::vector<PlacedPair> place_components(MeshView source, MeshView target,
                                          const std::vector<ComponentMesh>& source_parts,
                                          const std::vector<ComponentMesh>& target_parts,
                                          const ComponentGroup& group, const std::vector<Index>& matched,
@@ -128,7 +128,7 @@ std::vector<PlacedPair> place_components(const TriangleMesh& source, const Trian
     std::vector<Moments> ours, theirs;
     std::vector<PlacedPair> pairs;
     for (const std::size_t part : group.source) {
-        const Points& points = source_parts[part].mesh.vertices;
+        PointsView points = source_parts[part].mesh.vertices;
         const Similarity motion = surroundings.at_point(points.colwise().mean());
         ours.emplace_back(motion(points));
         pairs.push_back({pairs.size(), 0, std::nullopt});

@@ -15,7 +15,7 @@
 namespace counterpart::frontiers {
 namespace {
 
-double mean_length(const TriangleMesh& mesh, const Adjacency& adjacency) {
+double mean_length(MeshView mesh, const Adjacency& adjacency) {
     double sum = 0;
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         for (const Index w : adjacency.neighbors(v))
@@ -31,7 +31,7 @@ Index closest_in(const Eigen::Ref<const Eigen::RowVectorXd>& costs) {
 
 }  // namespace
 
-FrontierSide::FrontierSide(const TriangleMesh& m, const Adjacency& a, Index source)
+FrontierSide::FrontierSide(MeshView m, const Adjacency& a, Index source)
     : mesh(m),
       adjacency(a),
       points((m.vertices.rowwise() - m.vertices.colwise().mean()) / mean_length(m, a)),
@@ -43,7 +43,7 @@ FrontierSide::FrontierSide(const TriangleMesh& m, const Adjacency& a, Index sour
         slot[to_size(loops.order[i])] = static_cast<Index>(i);
 }
 
-Points rows_of(const Points& points, std::span<const Index> rows) {
+Points rows_of(PointsView points, std::span<const Index> rows) {
     Points result(static_cast<Eigen::Index>(rows.size()), 3);
     for (std::size_t i = 0; i < rows.size(); ++i)
         result.row(static_cast<Eigen::Index>(i)) = points.row(rows[i]);
@@ -61,8 +61,8 @@ std::vector<Index> pair_up(const Matrix& cost, Pairing pairing) {
     return result;
 }
 
-Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::span<const Index> target,
-                    const Points& target_points, const PairingMetric& metric) {
+Matrix pairing_cost(std::span<const Index> source, PointsView aligned, std::span<const Index> target,
+                    PointsView target_points, const PairingMetric& metric) {
     Matrix cost(aligned.rows(), target_points.rows());
     for (Eigen::Index i = 0; i < aligned.rows(); ++i) {
         if (!metric) {

@@ -17,9 +17,9 @@ namespace counterpart::frontiers {
 
 /// One connected mesh with its frontiers around a seed vertex.
 struct FrontierSide {
-    FrontierSide(const TriangleMesh& mesh, const Adjacency& adjacency, Index source);
+    FrontierSide(MeshView mesh, const Adjacency& adjacency, Index source);
 
-    const TriangleMesh& mesh;
+    MeshView mesh;
     const Adjacency& adjacency;
     Points points;  ///< in mean edge lengths, mean at the origin
     Frontiers frontiers;
@@ -37,18 +37,18 @@ struct MatchedPairs {
     }
 };
 
-Points rows_of(const Points& points, std::span<const Index> rows);
+Points rows_of(PointsView points, std::span<const Index> rows);
 
 /// One target index per row, -1 for none.
 std::vector<Index> pair_up(const Matrix& cost, Pairing pairing);
 
 /// cost(i, j) of pairing source vertex i at aligned(i) with target vertex j: squared distance or the metric.
-Matrix pairing_cost(std::span<const Index> source, const Points& aligned, std::span<const Index> target,
-                    const Points& target_points, const PairingMetric& metric);
+Matrix pairing_cost(std::span<const Index> source, PointsView aligned, std::span<const Index> target,
+                    PointsView target_points, const PairingMetric& metric);
 
 /// x moved onto y as published: centroids aligned, then TPS-RPM from T = 10 S where S, the sum
 /// of the squared distances to the closest points, is above the threshold per point. In mean edge lengths.
-Points align_whole_frontier(const Points& x, const Points& y, double deformation_threshold);
+Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold);
 
 /// Throws InvalidInput at the first frontier whose sizes, or numbers of loops, differ.
 void require_same_frontiers(const FrontierSide& source, const FrontierSide& target);

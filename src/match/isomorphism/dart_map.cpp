@@ -268,7 +268,7 @@ Index count_non_manifold_vertices(const DartMap& map) {
 
 }  // namespace
 
-DartMap make_dart_map(const TriangleMesh& mesh) {
+DartMap make_dart_map(MeshView mesh) {
     constexpr Index most = (1 << 28) - 1;
     if (mesh.n_triangles() > most) {
         throw InvalidInput(fmt::format("the mesh has {} triangles; exact matching handles at most {}",

@@ -99,6 +99,6 @@ struct DartMap {
 };
 
 /// O(V + F), sort-free but for the edges at one vertex. At most 2^28 triangles; throws InvalidInput beyond.
-DartMap make_dart_map(const TriangleMesh& mesh);
+DartMap make_dart_map(MeshView mesh);
 
 }  // namespace counterpart::isomorphism

@@ -26,7 +26,7 @@ std::uint32_t spread(std::uint32_t x) {
     return (x | (x << 2U)) & 0x09249249U;
 }
 
-std::vector<Keyed> morton_keys(const Points& points) {
+std::vector<Keyed> morton_keys(PointsView points) {
     const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
     // One scale for all axes: cells are cubes.
     const double extent = std::max((high - low).maxCoeff(), 1e-300), cells = (1U << bits) - 1;
@@ -55,7 +55,7 @@ void radix_sort(std::vector<Keyed>& keys) {
 
 }  // namespace
 
-SpatialOrder make_spatial_order(const TriangleMesh& mesh) {
+SpatialOrder make_spatial_order(MeshView mesh) {
     SpatialOrder order;
     const auto n_vertices = to_size(mesh.n_vertices()), n = to_size(mesh.n_triangles());
     std::vector<Keyed> keys = morton_keys(mesh.vertices);

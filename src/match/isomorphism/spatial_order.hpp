@@ -19,6 +19,6 @@ struct SpatialOrder {
 
 /// Vertices along a Morton curve through their positions (G. M. Morton 1966), triangles by blocks of it. Only
 /// speed depends on the positions. O(V + F), by radix sort.
-SpatialOrder make_spatial_order(const TriangleMesh& mesh);
+SpatialOrder make_spatial_order(MeshView mesh);
 
 }  // namespace counterpart::isomorphism

@@ -23,7 +23,7 @@ struct ElasticFit::System {
     Eigen::SimplicialLDLT<SparseMatrix> factor;
 };
 
-ElasticFit::ElasticFit(const Points& rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning)
+ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning)
     : system_(std::make_unique<System>()) {
     system_->rest = rest;
     system_->stiffness = laplacian.stiffness;
@@ -48,8 +48,8 @@ struct Similarity {
 };
 
 // Rotations are followed from the ones before, if there are any (`similarities` may be empty).
-void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness, const Points& rest,
-            const Points& now, double min_scale, double max_scale) {
+void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness, PointsView rest,
+            PointsView now, double min_scale, double max_scale) {
     const bool is_first = similarities.empty();
     similarities.resize(static_cast<std::size_t>(rest.rows()));
     parallel_for(similarities.size(), 256, [&](std::size_t i) {
@@ -74,7 +74,7 @@ void follow(std::vector<Similarity>& similarities, const SparseMatrix& stiffness
 }
 
 // sum_j w_ij (s_i R_i + s_j R_j) / 2 (rest_i - rest_j) for every i.
-Points moved_differences(const SparseMatrix& stiffness, const Points& rest,
+Points moved_differences(const SparseMatrix& stiffness, PointsView rest,
                          const std::vector<Similarity>& similarities) {
     Points result = Points::Zero(rest.rows(), 3);
     parallel_for(similarities.size(), 256, [&](std::size_t i) {
@@ -91,8 +91,8 @@ Points moved_differences(const SparseMatrix& stiffness, const Points& rest,
 
 }  // namespace
 
-Points ElasticFit::operator()(const Points& towards, const Points& start, double stiffness_length,
-                              int n_iterations, const ProgressRange& progress) {
+Points ElasticFit::operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
+                              const ProgressRange& progress) {
     const Vector pull = system_->mass / (stiffness_length * stiffness_length);
     SparseMatrix sum = system_->stiffness;
     for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
@@ -112,7 +112,7 @@ Points ElasticFit::operator()(const Points& towards, const Points& start, double
     return now;
 }
 
-double ElasticFit::strain(const Points& now) const {
+double ElasticFit::strain(PointsView now) const {
     std::vector<Similarity> similarities;
     follow(similarities, system_->stiffness, system_->rest, now, system_->min_scale, system_->max_scale);
     double left = 0, all = 0;

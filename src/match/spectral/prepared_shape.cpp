@@ -26,8 +26,8 @@
 namespace counterpart::spectral_match {
 namespace {
 
-TriangleMesh normalized(const TriangleMesh& mesh) {
-    TriangleMesh result = mesh;
+TriangleMesh normalized(MeshView mesh) {
+    TriangleMesh result = mesh.copy();
     const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
     result.vertices.rowwise() -= center;
     result.vertices /= std::sqrt(surface_area(mesh));
@@ -128,8 +128,8 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
 
 }  // namespace
 
-PreparedShape prepare(const TriangleMesh& mesh, const PreparationOptions& options,
-                      const PreparationTuning& tuning, const ProgressRange& progress) {
+PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning,
+                      const ProgressRange& progress) {
     require_valid(mesh);
     const double area = surface_area(mesh);
     if (!(area > 0)) throw UnsuitableMesh("the mesh has no area: all its triangles are degenerate");

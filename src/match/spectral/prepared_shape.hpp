@@ -50,8 +50,8 @@ constexpr Index min_vertices = 20;
 
 /// Throws InvalidInput for a mesh that require_valid refuses, without area, or of fewer than `min_vertices`
 /// distinct vertices.
-PreparedShape prepare(const TriangleMesh& mesh, const PreparationOptions& options,
-                      const PreparationTuning& tuning = {}, const ProgressRange& progress = {});
+PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning = {},
+                      const ProgressRange& progress = {});
 
 /// The reflected shape, the same vertices.
 PreparedShape mirrored(PreparedShape shape);

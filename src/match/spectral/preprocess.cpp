@@ -20,13 +20,13 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-bool is_degenerate(const TriangleMesh& mesh, Index t) {
+bool is_degenerate(MeshView mesh, Index t) {
     const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
     return a == b || b == c || c == a;
 }
 
 // Without degenerate triangles and without duplicates of earlier ones.
-std::vector<Index> proper_triangles(const TriangleMesh& mesh, Preprocessed& result) {
+std::vector<Index> proper_triangles(MeshView mesh, Preprocessed& result) {
     std::vector<std::pair<std::array<Index, 3>, Index>> sorted;
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         if (is_degenerate(mesh, t)) continue;
@@ -45,7 +45,7 @@ std::vector<Index> proper_triangles(const TriangleMesh& mesh, Preprocessed& resu
 
 // Components of at least `min_share` of the largest one's area. Loose fragments that the other mesh lacks
 // spoil the eigenfunctions of the whole.
-std::vector<char> large_components(const TriangleMesh& mesh, const Components& components, double min_share,
+std::vector<char> large_components(MeshView mesh, const Components& components, double min_share,
                                    Preprocessed& result) {
     const Vector areas = triangle_areas(mesh);
     std::vector<double> area(at(components.count), 0);
@@ -69,7 +69,7 @@ std::vector<char> large_components(const TriangleMesh& mesh, const Components& c
 
 }  // namespace
 
-Preprocessed preprocess(const TriangleMesh& mesh, const PreparationTuning& tuning) {
+Preprocessed preprocess(MeshView mesh, const PreparationTuning& tuning) {
     Preprocessed result;
     WeldResult welded = weld(mesh);
     const std::vector<Index> proper = proper_triangles(welded.mesh, result);

@@ -32,7 +32,7 @@ struct Preprocessed {
 
 /// Merges coincident vertices; leaves out vertices in no triangle, degenerate and duplicate triangles, and
 /// small components; orients what is left. O((V + F) log F).
-Preprocessed preprocess(const TriangleMesh& mesh, const PreparationTuning& tuning = {});
+Preprocessed preprocess(MeshView mesh, const PreparationTuning& tuning = {});
 
 /// A map between matched parts as one between the inputs.
 VertexMap between_inputs(const VertexMap& map, const Preprocessed& source, const Preprocessed& target);

@@ -33,7 +33,7 @@ MatrixF features(const PreparedShape& shape, const RefinementTuning& tuning) {
 }
 
 // Positions and normals, weighted.
-MatrixF placement(const Points& positions, const Points& normals, const RefinementTuning& tuning) {
+MatrixF placement(PointsView positions, PointsView normals, const RefinementTuning& tuning) {
     MatrixF all(positions.rows(), 6);
     all << positions.cast<float>() * tuning.position_weight, normals.cast<float>() * tuning.normal_weight;
     return all;

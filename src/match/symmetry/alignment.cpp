@@ -21,7 +21,7 @@ Alignment fit_alignment(const std::vector<PointPair>& pairs, bool may_reflect) {
     options.with_scale = true;
     const Alignment rotation{kabsch(source, target, weights, options), false};
     if (!may_reflect) return rotation;
-    const Alignment reflection{kabsch(-source, target, weights, options), true};
+    const Alignment reflection{kabsch(Points(-source), target, weights, options), true};
     return squared_error(reflection, pairs) < squared_error(rotation, pairs) ? reflection : rotation;
 }
 

@@ -55,10 +55,10 @@ double alignment_cost(const std::vector<ClassCenters>& classes, std::size_t step
 
 // Principal axes of the vertices onto principal axes.
 std::vector<Alignment> by_principal_axes(const MatchedMaps& maps, bool reversed) {
-    const Points &from = maps.source_mesh.vertices, &to = maps.target_mesh.vertices;
+    PointsView from = maps.source_mesh.vertices, to = maps.target_mesh.vertices;
     const Eigen::RowVector3d source_mean = from.colwise().mean(), target_mean = to.colwise().mean();
     const Points source = from.rowwise() - source_mean, target = to.rowwise() - target_mean;
-    const auto axes = [](const Points& centered) {
+    const auto axes = [](PointsView centered) {
         Eigen::Matrix3d vectors =
             numerics::symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered)).vectors;
         if (vectors.determinant() < 0) vectors.col(0) *= -1;

@@ -13,7 +13,7 @@ using namespace isomorphism;
 
 namespace {
 
-double mean_edge_length(const TriangleMesh& mesh) {
+double mean_edge_length(MeshView mesh) {
     double sum = 0;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c)

@@ -22,8 +22,8 @@ using isomorphism::Member;
 
 /// Two meshes, their connectivity, and what components they have in common.
 struct MatchedMaps {
-    const TriangleMesh& source_mesh;
-    const TriangleMesh& target_mesh;
+    MeshView source_mesh;
+    MeshView target_mesh;
     const DartMap& source;
     const DartMap& target;
     const std::vector<ComponentClass>& classes;

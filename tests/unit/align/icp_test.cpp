@@ -54,8 +54,8 @@ TEST(FitTransform, RefusesDegeneratePoints) {
     EXPECT_THROW(fit_transform(line, line), InvalidInput);
     EXPECT_THROW(fit_transform(plane, plane, TransformModel::affine), InvalidInput);
     EXPECT_NO_THROW(fit_transform(plane, plane));
-    EXPECT_THROW(fit_transform(plane.topRows(2), plane.topRows(2)), InvalidInput);
-    EXPECT_THROW(fit_transform(plane, plane.topRows(3)), InvalidInput);
+    EXPECT_THROW(fit_transform(Points(plane.topRows(2)), Points(plane.topRows(2))), InvalidInput);
+    EXPECT_THROW(fit_transform(plane, Points(plane.topRows(3))), InvalidInput);
     EXPECT_THROW(fit_transform(plane, plane, TransformModel::rigid, Vector::Zero(4)), InvalidInput);
 }
 

@@ -90,7 +90,7 @@ TEST(GltfCharacter, ReorderRefusesCornersThatDoNotFit) {
     const AttributedMesh mesh = exported(test::make_character(small), {});
     const VertexMap same = identity_map(mesh.mesh.n_vertices());
     Triangles corners = Triangles::Zero(mesh.mesh.n_triangles(), 3);
-    EXPECT_THROW(reorder(mesh, mesh, same, corners.topRows(2)), InvalidInput);
+    EXPECT_THROW(reorder(mesh, mesh, same, Triangles(corners.topRows(2))), InvalidInput);
     corners(0, 0) = 3 * mesh.mesh.n_triangles();
     EXPECT_THROW(reorder(mesh, mesh, same, corners), InvalidInput);
 }

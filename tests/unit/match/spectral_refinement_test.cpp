@@ -55,8 +55,9 @@ TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
 TEST(SpectralElasticFit, StrainSeesWhatIsNoSimilarity) {
     const TriangleMesh mesh = banana(0.4);
     const ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
-    EXPECT_LT(fit.strain(2 * mesh.vertices), 1e-9);
-    EXPECT_LT(fit.strain(mesh.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal()), 1e-9);  // a half-turn
+    EXPECT_LT(fit.strain(Points(2 * mesh.vertices)), 1e-9);
+    EXPECT_LT(fit.strain(Points(mesh.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal())),
+              1e-9);  // a half-turn
     Points flat = mesh.vertices;
     flat.col(2) *= 0.2;
     EXPECT_GT(fit.strain(flat), 0.05);
@@ -69,7 +70,7 @@ TEST(SpectralElasticFit, AFlatSurfaceMayTurnHalfRound) {
     const Points turned = grid.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal();
     EXPECT_LT(fit.strain(turned), 1e-9);
     EXPECT_LT(largest_distance(fit(turned, turned, 1, 5), turned), 1e-6);
-    EXPECT_EQ(fit.strain(Points::Zero(grid.n_vertices(), 3)), 1);
+    EXPECT_EQ(fit.strain(Points(Points::Zero(grid.n_vertices(), 3))), 1);
 }
 
 // Maps that are off by a slide along x of up to `slide`, both ways.

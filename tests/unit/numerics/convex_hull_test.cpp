@@ -32,7 +32,7 @@ TEST(ConvexHull, EveryPointOfASphere) {
 
 TEST(ConvexHull, FlatAndCoincidentPoints) {
     EXPECT_TRUE(on_convex_hull(Points(0, 3), 0.02).empty());
-    EXPECT_EQ(on_convex_hull(Points::Zero(2, 3), 0.02), (std::vector<bool>{true, true}));
+    EXPECT_EQ(on_convex_hull(Points(Points::Zero(2, 3)), 0.02), (std::vector<bool>{true, true}));
     Points line = Points::Zero(3, 3);
     line.col(1) << 0, 1, 2;
     // Seen across the line all its points are equally far.

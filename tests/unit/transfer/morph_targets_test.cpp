@@ -98,7 +98,7 @@ TEST(CarryMorphs, OtherConnectivityIsAsGood) {
     const TriangleMesh target{fine.vertices * linear, fine.triangles};
     const SurfaceMap there =
         surface_map_of({identity_map(source.n_vertices()).image(), target.n_vertices()}, target);
-    const SurfaceMap map = invert(there, {source.vertices * linear, source.triangles}, target);
+    const SurfaceMap map = invert(there, TriangleMesh{source.vertices * linear, source.triangles}, target);
     const std::vector<MorphTarget> morphs = some_morphs(source);
     const TransferredMorphTargets carried = transfer_morph_targets(map, source, target, morphs);
     const Points expected = transfer_values(map, source, morphs[1].displacements) * linear;

@@ -50,7 +50,8 @@ TEST(Morph, BendKeepsLengthsAndVolumeWhereLinearBlendingDoesNot) {
     const std::vector<Points> frames = morph_frames(first, last, 3);
     ASSERT_EQ(frames.size(), 3U);
     const MorphQuality rigid = measure_morph(first, last, 0.5, frames[1], frames[0]);
-    const MorphQuality linear = measure_morph(first, last, 0.5, 0.5 * (first.vertices + last), frames[0]);
+    const MorphQuality linear =
+        measure_morph(first, last, 0.5, Points(0.5 * (first.vertices + last)), frames[0]);
     EXPECT_LT(rigid.mean_edge_error, 0.02);
     EXPECT_GT(rigid.volume_ratio, 0.97);
     EXPECT_EQ(rigid.inverted_triangles, 0);
@@ -66,7 +67,7 @@ TEST(Morph, BackwardsIsTheSameFilm) {
 
 TEST(Morph, UniformScalingInterpolatesLengths) {
     const TriangleMesh first = make_icosphere(2);
-    const Points middle = Morph(first, 3 * first.vertices).at(0.5);
+    const Points middle = Morph(first, Points(3 * first.vertices)).at(0.5);
     EXPECT_LT((middle - 2 * first.vertices).cwiseAbs().maxCoeff(), 1e-9);
 }
 
