@@ -12,41 +12,40 @@
 #include <cstddef>
 #include <string>
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
+#ifdef COUNTERPART_PLAIN_THREADS
+#include "base/plain_threads.hpp"
+#else
+#include "base/tbb_threads.hpp"
+#endif
 
 namespace counterpart::base {
 
-/// Runs `work` in an arena of `n_threads` threads (0 = all the machine has) and returns its result. Loops
-/// inside use that arena. Throws InvalidInput if n_threads is negative.
+#ifdef COUNTERPART_PLAIN_THREADS
+namespace threads = plain_threads;
+#else
+namespace threads = tbb_threads;
+#endif
+
+/// Runs `work` with `n_threads` threads (0 = all the machine has) for the loops inside it, and returns its
+/// result. Throws InvalidInput if n_threads is negative.
 template <class Work>
 auto with_threads(int n_threads, const Work& work) {
     if (n_threads < 0)
         throw InvalidInput("the number of threads must be 0 (all) or more, not " + std::to_string(n_threads));
-    // As many as are asked for, also where the machine has fewer: TBB would leave the rest out, with a
-    // warning.
-    const auto allowed = static_cast<std::size_t>(std::max(n_threads, tbb::info::default_concurrency()));
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, allowed);
-    tbb::task_arena arena(n_threads == 0 ? tbb::task_arena::automatic : n_threads);
-    return arena.execute(work);
+    return threads::with_threads(n_threads, work);
 }
 
 /// Runs two independent works, at the same time if there are threads.
 template <class First, class Second>
 void parallel_invoke(const First& first, const Second& second) {
-    tbb::parallel_invoke(first, second);
+    threads::invoke(first, second);
 }
 
 /// body(i) for i in [0, count), in any order, at least `grain` consecutive ones per task.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) body(i);
+    threads::for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i != end; ++i) body(i);
     });
 }
 
@@ -66,10 +65,10 @@ void parallel_for(std::size_t count, std::size_t grain, const Progress& progress
 template <class Make, class Body>
 void parallel_for_with(std::size_t count, std::size_t grain, const Make& make, const Body& body) {
     using Scratch = decltype(make());
-    tbb::enumerable_thread_specific<Scratch> scratch(make);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain), [&](const auto& range) {
+    threads::PerThread<Scratch> scratch(make);
+    threads::for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
         Scratch& mine = scratch.local();
-        for (std::size_t i = range.begin(); i != range.end(); ++i) body(mine, i);
+        for (std::size_t i = begin; i != end; ++i) body(mine, i);
     });
 }
 

@@ -18,8 +18,7 @@ template <class Body>
 void for_each_search(const DistanceGraph& graph, std::size_t count, const DistanceOptions& options,
                      const Body& body) {
     with_threads(options.n_threads, [&] {
-        tbb::enumerable_thread_specific<geodesic::Dijkstra> searches(
-            [&] { return geodesic::Dijkstra(graph); });
+        threads::PerThread<geodesic::Dijkstra> searches([&] { return geodesic::Dijkstra(graph); });
         const std::size_t block = std::max<std::size_t>(count / 100, 16);
         for (std::size_t begin = 0; begin < count; begin += block) {
             report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(count));

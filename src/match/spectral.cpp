@@ -9,7 +9,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <tbb/parallel_invoke.h>
 
 namespace counterpart {
 namespace {
@@ -66,8 +65,8 @@ SpectralResult match_spectral(MeshView source, MeshView target, const SpectralOp
             Stopwatch watch;
             std::optional<PreparedShape> a, b;
             const ProgressRange preparing = progress.part(0, 0.4);
-            tbb::parallel_invoke([&] { a = prepare(source, preparation, {}, preparing); },
-                                 [&] { b = prepare(target, preparation, {}, preparing); });
+            parallel_invoke([&] { a = prepare(source, preparation, {}, preparing); },
+                            [&] { b = prepare(target, preparation, {}, preparing); });
             watch.lap("prepare");
             return match(*a, *b, options, {}, progress.part(0.4, 1), watch);
         });

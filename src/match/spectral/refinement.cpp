@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_invoke.h>
-
 namespace counterpart::spectral_match {
 namespace {
 
@@ -99,8 +97,8 @@ Refined refine(const PreparedShape& a, const PreparedShape& b, const Candidate& 
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
         const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);
         const int k = tuning.first_size + static_cast<int>(t * (tuning.last_size - tuning.first_size));
-        tbb::parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
-                             [&] { bent_b.bend(maps.a_from_b, length, progress); });
+        parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
+                        [&] { bent_b.bend(maps.a_from_b, length, progress); });
         const PairedFunctionalMaps functional =
             fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking);
         maps = match_points_nearby(a, b, functional, maps, tuning.rings,

@@ -36,7 +36,7 @@ TEST(Parallel, ThreadsAreRealOnAnyMachine) {
         std::condition_variable all_here;
         std::set<std::thread::id> here;
         with_threads(static_cast<int>(n_threads), [&] {
-            EXPECT_EQ(tbb::this_task_arena::max_concurrency(), static_cast<int>(n_threads));
+            EXPECT_EQ(threads::n_allowed(), static_cast<int>(n_threads));
             parallel_for(n_threads, 1, [&](std::size_t) {
                 std::unique_lock lock(mutex);
                 here.insert(std::this_thread::get_id());
@@ -65,7 +65,7 @@ TEST(Parallel, SeveralCallersEachHaveTheirThreads) {
 
 TEST(Parallel, OneThreadIsOneThread) {
     with_threads(1, [] {
-        EXPECT_EQ(tbb::this_task_arena::max_concurrency(), 1);
+        EXPECT_EQ(threads::n_allowed(), 1);
         std::size_t next = 0;  // in order, without a race, because alone
         parallel_for(500, 1, [&](std::size_t i) { EXPECT_EQ(i, next++); });
     });

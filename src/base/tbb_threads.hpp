@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What parallel.hpp needs, by TBB.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+namespace counterpart::base::tbb_threads {
+
+inline int n_allowed() { return tbb::this_task_arena::max_concurrency(); }
+
+template <class Work>
+auto with_threads(int n_threads, const Work& work) {
+    // As many as are asked for, also where the machine has fewer: TBB would leave the rest out, with a
+    // warning.
+    const auto allowed = static_cast<std::size_t>(std::max(n_threads, tbb::info::default_concurrency()));
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, allowed);
+    tbb::task_arena arena(n_threads == 0 ? tbb::task_arena::automatic : n_threads);
+    return arena.execute(work);
+}
+
+template <class First, class Second>
+void invoke(const First& first, const Second& second) {
+    tbb::parallel_invoke(first, second);
+}
+
+/// run(begin, end) for pieces of [0, count) of at least `grain` items.
+template <class Run>
+void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                      [&](const auto& range) { run(range.begin(), range.end()); });
+}
+
+template <class Scratch>
+using PerThread = tbb::enumerable_thread_specific<Scratch>;
+
+}  // namespace counterpart::base::tbb_threads
