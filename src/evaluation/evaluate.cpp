@@ -107,8 +107,8 @@ void summarize_errors(const std::vector<double>& distances, EvaluationReport& re
     report.cost = cost_of(distances, report.target_area);
 }
 
-CorrespondenceCost base_vertex_cost(MeshView target, const DistanceGraph& graph,
-                                    const Pairs& pairs, double area, const EvaluationOptions& options) {
+CorrespondenceCost base_vertex_cost(MeshView target, const DistanceGraph& graph, const Pairs& pairs,
+                                    double area, const EvaluationOptions& options) {
     const SampledDistances distance(graph,
                                     farthest_point_samples(target, graph, {.count = options.n_base_vertices}),
                                     {.n_threads = options.n_threads});
@@ -120,8 +120,7 @@ CorrespondenceCost base_vertex_cost(MeshView target, const DistanceGraph& graph,
 // `corners`: the image as a vertex; `ways_of`: the ways to a source vertex's image.
 template <class WaysOf>
 EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, const GroundTruth& truth,
-                           MeshView source, MeshView target,
-                           const EvaluationOptions& options) {
+                           MeshView source, MeshView target, const EvaluationOptions& options) {
     require_fitting(truth, source, target);
     EvaluationReport report;
     report.thresholds = thresholds_of(options);
@@ -164,9 +163,8 @@ EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, cons
 
 }  // namespace
 
-EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth,
-                          MeshView source, MeshView target,
-                          const EvaluationOptions& options) {
+EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth& truth, MeshView source,
+                          MeshView target, const EvaluationOptions& options) {
     require_valid(source);
     require_valid(target);
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
@@ -174,9 +172,8 @@ EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth
     return evaluated(target_from_source, ways_of, truth, source, target, options);
 }
 
-EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
-                          MeshView source, MeshView target,
-                          const EvaluationOptions& options) {
+EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth, MeshView source,
+                          MeshView target, const EvaluationOptions& options) {
     require_valid(source);
     require_valid(target);
     require_valid(target_from_source, source.n_vertices(), target.n_triangles());

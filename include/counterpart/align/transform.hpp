@@ -18,7 +18,7 @@ struct Similarity {
     Points operator()(PointsView points) const {
         return (scale * (points * rotation.transpose())).rowwise() + translation.transpose();
     }
-    Points operator()(PointsView points) const { return (*this)(PointsView(points)); }
+    Points operator()(const Points& points) const { return (*this)(PointsView(points)); }
 };
 
 /// The translation that moves the mean of `source` onto the mean of `target`; their numbers of points may

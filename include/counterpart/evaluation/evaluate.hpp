@@ -81,8 +81,7 @@ EvaluationReport evaluate(const VertexMap& target_from_source, const GroundTruth
 /// The same of a surface map: the distance to a point of a triangle is the least, over its corners, of the
 /// distance to the corner and the straight line from there; exact is a point whose nearest corner (largest
 /// weight) is the true vertex. A surface map whose points are vertices is evaluated as the vertex map.
-EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth,
-                          MeshView source, MeshView target,
-                          const EvaluationOptions& options = {});
+EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTruth& truth, MeshView source,
+                          MeshView target, const EvaluationOptions& options = {});
 
 }  // namespace counterpart

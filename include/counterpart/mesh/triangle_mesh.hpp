@@ -27,7 +27,7 @@ struct MeshView {
     TrianglesView triangles;
 
     MeshView() = default;
-    MeshView(MeshView mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}
+    MeshView(const TriangleMesh& mesh) : vertices(mesh.vertices), triangles(mesh.triangles) {}
     MeshView(PointsView vertex_rows, TrianglesView triangle_rows)
         : vertices(vertex_rows), triangles(triangle_rows) {}
 
