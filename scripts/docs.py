@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Makes the pages of the site in build/docs/pages: those of docs/, the executed tutorials, the commands' help, the
+C++ headers. scripts/docs.sh calls it."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+import nbformat
+from nbclient import NotebookClient
+from nbconvert import MarkdownExporter
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGES = ROOT / "build" / "docs" / "pages"
+SOURCES = "https://github.com/counterpart/counterpart/blob/main/"
+
+
+def copy_pages() -> None:
+    shutil.rmtree(PAGES, ignore_errors=True)
+    shutil.copytree(ROOT / "docs", PAGES, ignore=shutil.ignore_patterns("*.ipynb", "*.py", "requirements.txt"))
+
+
+def tutorials() -> None:
+    folder = PAGES / "tutorials"
+    folder.mkdir(exist_ok=True)
+    for file in sorted((ROOT / "docs" / "tutorials").glob("*.ipynb")):
+        notebook = nbformat.read(file, as_version=4)
+        NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(folder)}}).execute()
+        text, resources = MarkdownExporter().from_notebook_node(notebook)
+        for name, data in resources["outputs"].items():
+            picture = f"{file.stem}_{name}"
+            (folder / picture).write_bytes(data)
+            text = text.replace(f"({name})", f"({picture})")
+        shutil.copy(file, folder)
+        (folder / f"{file.stem}.md").write_text(text + f"\n[This page as a notebook]({file.name})\n")
+
+
+def help_of(*command: str) -> str:
+    program = os.environ.get("COUNTERPART", ROOT / "build" / "release" / "counterpart")
+    return subprocess.run([program, *command, "--help"], check=True, capture_output=True, text=True).stdout
+
+
+def command_line() -> None:
+    overview = help_of()
+    commands = re.findall(r"^  ([a-z]+) {2,}", overview.split("Subcommands:")[1], re.MULTILINE)
+    text = "# Command line\n\nWhat `counterpart --help` and `counterpart COMMAND --help` print.\n\n"
+    text += f"```text\n{overview.strip()}\n```\n"
+    for command in commands:
+        text += f"\n## {command}\n\n```text\n{help_of(command).strip()}\n```\n"
+    (PAGES / "command_line.md").write_text(text)
+
+
+def headers() -> None:
+    """One row per public header: what its first documented declaration says."""
+    include = ROOT / "include" / "counterpart"
+    text = (PAGES / "cpp.md").read_text()
+    for module in sorted(folder for folder in include.iterdir() if folder.is_dir()):
+        text += f"\n## {module.name}\n"
+        for header in sorted(module.glob("*.hpp")):
+            code = header.read_text().split("namespace counterpart", 1)[-1].split("{", 1)[-1].rsplit("}", 1)[0]
+            text += f"\n### counterpart/{module.name}/{header.name}\n\n```cpp\n{code.strip()}\n```\n"
+    (PAGES / "cpp.md").write_text(text)
+
+
+if __name__ == "__main__":
+    copy_pages()
+    command_line()
+    headers()
+    tutorials()
