@@ -6,6 +6,7 @@
 # from PyPI goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
 set -euo pipefail
 cd "$(dirname "$0")/.."
+scripts/setup.sh packages-python.txt
 venv=$PWD/build/venv
 if [ ! -x "$venv/bin/python" ]; then
   "${PYTHON:-python3}" -m venv "$venv"

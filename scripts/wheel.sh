@@ -9,7 +9,7 @@
 # if COUNTERPART_WHEEL_TESTS=0. COUNTERPART_WHEEL_BUILD names a build folder whose library is to be used.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/setup.sh
+scripts/setup.sh packages-python.txt
 max_megabytes=25
 
 # make PYTHON: the wheel, repaired, in dist/.

@@ -4,9 +4,10 @@
 
 namespace counterpart::python {
 
-Mesh::Mesh(PointArray vertices, TriangleArray triangles) : mesh_{map_of(vertices), map_of(triangles)} {
+Mesh::Mesh(PointArray vertices, TriangleArray triangles)
+    : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
     const nb::gil_scoped_release release;
-    require_valid(mesh_);
+    require_valid(view());
 }
 
 SurfaceMap surface_map_of(const IndexArray& triangle, const PointArray& weights, Index target_triangles) {

@@ -35,21 +35,6 @@ using MatrixArray = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::dev
 /// Column-major, as eigenfunctions are kept.
 using ColumnArray = nb::ndarray<const double, nb::ndim<2>, nb::f_contig, nb::device::cpu>;
 
-/// A mesh whose vertices and triangles stay in the caller's arrays.
-class Mesh {
-  public:
-    /// Throws InvalidInput as require_valid does.
-    Mesh(PointArray vertices, TriangleArray triangles);
-
-    const TriangleMesh& view() const { return mesh_; }
-    operator const TriangleMesh&() const { return mesh_; }
-    Index n_vertices() const { return mesh_.n_vertices(); }
-    Index n_triangles() const { return mesh_.n_triangles(); }
-
-  private:
-    TriangleMesh mesh_;
-};
-
 // ---- in ----
 inline std::vector<Index> vector_of(const IndexArray& array) {
     return {array.data(), array.data() + array.size()};
@@ -65,10 +50,10 @@ inline VertexMap vertex_map_of(const IndexArray& array, Index target_size) {
 inline Eigen::Map<const Vector> map_of(const VectorArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.size())};
 }
-inline Eigen::Map<const Points> map_of(const PointArray& array) {
+inline PointsView map_of(const PointArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.shape(0)), 3};
 }
-inline Eigen::Map<const Triangles> map_of(const TriangleArray& array) {
+inline TrianglesView map_of(const TriangleArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.shape(0)), 3};
 }
 inline Eigen::Map<const Matrix> map_of(const MatrixArray& array) {
@@ -79,6 +64,22 @@ inline Eigen::Map<const Eigen::MatrixXd> map_of(const ColumnArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.shape(0)),
             static_cast<Eigen::Index>(array.shape(1))};
 }
+/// A mesh whose vertices and triangles stay in the caller's arrays, which it keeps alive.
+class Mesh {
+  public:
+    /// Throws InvalidInput as require_valid does.
+    Mesh(PointArray vertices, TriangleArray triangles);
+
+    MeshView view() const { return {map_of(vertices_), map_of(triangles_)}; }
+    operator MeshView() const { return view(); }
+    Index n_vertices() const { return static_cast<Index>(vertices_.shape(0)); }
+    Index n_triangles() const { return static_cast<Index>(triangles_.shape(0)); }
+
+  private:
+    PointArray vertices_;
+    TriangleArray triangles_;
+};
+
 /// From its triangles and weights (n x 3); throws InvalidInput unless it fits that many target triangles.
 SurfaceMap surface_map_of(const IndexArray& triangle, const PointArray& weights, Index target_triangles);
 

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+import timeit
 from concurrent.futures import ThreadPoolExecutor
 
 import counterpart
@@ -153,3 +154,11 @@ def test_order_is_kept():
     triangles = np.concatenate([triangles + 1, [[1, 1, 2]]])
     result = counterpart.match((vertices, triangles), (vertices, triangles))
     assert len(result.target_from_source) == len(vertices) == len(result.confidence)
+
+
+def test_a_call_costs_little():
+    """What a call takes besides the work: less than 50 us (the best of many, as the machine may be busy)."""
+    mesh = counterpart.make_icosphere(0)
+    truth = np.arange(mesh.n_vertices, dtype=np.int32)
+    best = min(timeit.repeat(lambda: counterpart.map_quality(mesh, mesh, truth), number=20, repeat=50)) / 20
+    assert best < 50e-6
