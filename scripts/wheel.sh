@@ -10,6 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
+export CXX=${CXX:-c++}  # not the one that Python was built with
 max_megabytes=25
 
 # make PYTHON: the wheel, repaired, in dist/.

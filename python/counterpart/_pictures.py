@@ -4,10 +4,8 @@
 
 from __future__ import annotations
 
-import html
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
@@ -33,7 +31,8 @@ class Picture(npt.NDArray[np.uint8]):
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write a PNG file."""
-        Path(file).write_bytes(self.png())
+        with open(file, "wb") as opened:
+            opened.write(self.png())
 
     def _repr_png_(self) -> bytes | None:
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.dtype == np.uint8 else None
@@ -136,9 +135,12 @@ class View:
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the page as a file."""
-        Path(file).write_text(self.html, encoding="utf-8")
+        with open(file, "w", encoding="utf-8") as opened:
+            opened.write(self.html)
 
     def _repr_html_(self) -> str:
+        import html  # here, as few need it
+
         return (
             f'<iframe srcdoc="{html.escape(self.html)}" style="width: 100%; height: 600px; border: 0" '
             'title="counterpart"></iframe>'

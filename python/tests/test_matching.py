@@ -49,8 +49,8 @@ def test_spectral(scans):
     assert counterpart.evaluate(source, target, result, truth).mean_error < 6
 
 
-def test_prepared_shapes(scans):
-    source, target, _ = scans
+def test_prepared_shapes(pair):
+    source, target, _ = pair
     quick = {"basis_size": 30, "n_samples": 200}
     expected = counterpart.match_spectral(source, target, **quick).target_from_source
     shape = counterpart.SpectralShape(source, **quick)
@@ -104,23 +104,23 @@ def test_exceptions_are_those_of_python(tmp_path):
         counterpart.write(counterpart.make_grid(), tmp_path / "none" / "a.obj")
 
 
-def test_progress(scans):
+def test_progress(pair):
     seen = []
-    counterpart.match_spectral(*scans[:2], basis_size=30, n_samples=200, progress=seen.append)
+    counterpart.match_spectral(*pair[:2], basis_size=30, n_samples=200, progress=seen.append)
     assert seen and sorted(seen) == seen and seen[0] >= 0 and seen[-1] <= 1
 
 
-def test_cancel(scans):
+def test_cancel(pair):
     with pytest.raises(counterpart.Canceled):
-        counterpart.match_spectral(*scans[:2], progress=lambda fraction: False)
+        counterpart.match_spectral(*pair[:2], progress=lambda fraction: False)
 
 
-def test_exceptions_of_the_callback_are_passed_on(scans):
+def test_exceptions_of_the_callback_are_passed_on(pair):
     def fail(fraction):
         raise KeyError("mine")
 
     with pytest.raises(KeyError, match="mine"):
-        counterpart.match_spectral(*scans[:2], progress=fail)
+        counterpart.match_spectral(*pair[:2], progress=fail)
 
 
 def test_bar(pair, capsys):
@@ -137,12 +137,12 @@ def test_interrupt():
             counterpart.match_spectral(mesh, mesh)
 
 
-def test_eight_threads_give_what_one_gives(scans):
-    source, target, _ = scans
+def test_eight_threads_give_what_one_gives(pair):
+    source, target, _ = pair
     quick = {"n_threads": 1, "basis_size": 30, "n_samples": 200}
-    expected = counterpart.match(source, target, **quick).target_from_source
+    expected = counterpart.match(source, target, "spectral", **quick).target_from_source
     with ThreadPoolExecutor(8) as pool:
-        results = list(pool.map(lambda _: counterpart.match(source, target, **quick), range(8)))
+        results = list(pool.map(lambda _: counterpart.match(source, target, "spectral", **quick), range(8)))
     for result in results:
         np.testing.assert_array_equal(result.target_from_source, expected)
 
