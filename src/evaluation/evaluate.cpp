@@ -176,6 +176,10 @@ EvaluationReport evaluate(const SurfaceMap& target_from_source, const GroundTrut
                           MeshView target, const EvaluationOptions& options) {
     require_valid(source);
     require_valid(target);
+    if (target_from_source.target_triangles != target.n_triangles()) {
+        throw InvalidInput(fmt::format("the map is to a mesh of {} triangles, but the target has {}",
+                                       target_from_source.target_triangles, target.n_triangles()));
+    }
     require_valid(target_from_source, source.n_vertices(), target.n_triangles());
     const auto ways_of = [&](Index v) { return ways_to(target_from_source[v], target); };
     return evaluated(nearest_corners(target_from_source, target), ways_of, truth, source, target, options);
