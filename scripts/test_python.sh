@@ -16,7 +16,7 @@ fi
 cmake --preset release -DCOUNTERPART_PYTHON=ON -DPython_EXECUTABLE="$venv/bin/python" > /dev/null
 cmake --build --preset release --target python_package counterpart_cli
 export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/build/release/counterpart}
-"$venv/bin/python" -m pytest -q python/tests
+"$venv/bin/python" -m pytest -q -n 2 python/tests
 "$venv/bin/python" -m pytest -q --doctest-modules "$PYTHONPATH/counterpart"
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart"
 "$venv/bin/ruff" check --no-cache .
