@@ -17,7 +17,7 @@ MAY_INCLUDE = {
     "map": ["base", "numerics", "mesh"],
     "geodesic": ["base", "numerics", "mesh"],
     "spectral": ["base", "numerics", "mesh", "map"],
-    "descriptor": ["base", "mesh", "geodesic", "spectral"],
+    "descriptor": ["base", "numerics", "mesh", "geodesic", "spectral"],
     "frontier": ["base", "mesh", "geodesic"],
     "align": ["base", "numerics", "mesh", "map"],
     "match": ["base", "numerics", "mesh", "map", "geodesic", "spectral", "descriptor", "frontier", "align"],

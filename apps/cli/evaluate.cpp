@@ -9,6 +9,7 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/evaluation/map_quality.hpp>
+#include <counterpart/evaluation/overlap.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 
@@ -27,7 +28,7 @@ struct EvaluateCommand {
     std::filesystem::path source, target, map, curve;
     TruthOptions truth;
     Index samples = 0;
-    bool plain_edges = false;
+    bool plain_edges = false, overlap = false;
     EvaluationOptions options;
 };
 
@@ -72,6 +73,17 @@ std::string describe(const EvaluationReport& report) {
     return text;
 }
 
+std::string describe(const OverlapReport& report) {
+    return fmt::format(
+        "overlap     {:.2f} % of {} vertices with a partner missed, {:.2f} % of {} without one matched; "
+        "IoU {:.3f}\n",
+        100 * report.missed, report.n_paired, 100 * report.invented, report.n_unpaired, report.iou);
+}
+
+Json json_of(const OverlapReport& report) {
+    return {{"missed", report.missed}, {"invented", report.invented}, {"iou", report.iou}};
+}
+
 Json json_of(const CorrespondenceCost& cost) { return {{"raw", cost.raw}, {"normalized", cost.normalized}}; }
 
 Json json_of(const MapQuality& quality) {
@@ -112,6 +124,8 @@ void run(EvaluateCommand& command) {
     const TriangleMesh target = load_mesh(command.target, command.common);
     const LoadedMap map = load_map(command.map, {source, target, command.source, command.target});
     std::optional<GroundTruth> truth = read_truth(command.truth);
+    const std::optional<OverlapReport> overlap =
+        truth && command.overlap ? std::optional(evaluate_overlap(map.vertices, *truth)) : std::nullopt;
     if (truth && command.samples > 0) truth = sampled(*truth, command.samples);
     watch.lap("read");
 
@@ -133,6 +147,10 @@ void run(EvaluateCommand& command) {
         text += describe(report);
         json["distances"] = command.plain_edges ? "plain edges" : "edges and shortcuts";
         json["errors"] = json_of(report);
+        if (overlap) {
+            text += describe(*overlap);
+            json["overlap"] = json_of(*overlap);
+        }
         if (!command.curve.empty()) write_curve(report, command.curve);
     } else {
         text += "truth       not given; see --truth\n";
@@ -166,6 +184,8 @@ void add_evaluate(CLI::App& program) {
                      "Also approximate C from this many farthest-point samples; 0 = do not")
         ->check(whole_number(0, 100000))
         ->capture_default_str();
+    evaluate->add_flag("--overlap", command->overlap,
+                       "Vertices in no true pair have no partner: count those that are missed and invented");
     evaluate->add_flag("--plain-edges", command->plain_edges,
                        "Measure along edges only, without shortcuts across them (about 15 % longer)");
     add_output(*evaluate, command->common.files, "--curve", command->curve, Content::table,

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
+#include "match_partial.hpp"
 #include "match_spectral.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -27,9 +28,15 @@ struct MatchCommand {
     std::vector<MethodCommand> methods;
     std::map<const CLI::Option*, std::string> method_of_option;  // of those that belong to one
 
-    const MethodCommand& chosen() const {
+    const MethodCommand& named(const std::string& name) const {
         return *std::find_if(methods.begin(), methods.end(),
-                             [&](const MethodCommand& m) { return m.name == method; });
+                             [&](const MethodCommand& m) { return m.name == name; });
+    }
+    const MethodCommand& chosen() const { return named(method); }
+    // Whether a method uses an option that another one brought.
+    bool shares(const std::string& name, const std::string& option) const {
+        const std::vector<std::string>& shared = named(name).shared_options;
+        return std::find(shared.begin(), shared.end(), option) != shared.end();
     }
 };
 
@@ -50,6 +57,7 @@ void refuse_unused_options(const MatchCommand& command, const std::string& metho
     for (const auto& [option, owner] : command.method_of_option) {
         if (option->count() == 0 || owner == method || owner.empty()) continue;
         const std::string name = option->get_name();
+        if (command.shares(method, name)) continue;
         if (method == "auto" && (is_auto_of(owner) || owner == "partial")) continue;
         // auto tries exact with these before it chooses another method.
         if (command.method == "auto" && (name == "--allow-mirror" || name == "--weld")) continue;
@@ -130,11 +138,13 @@ void add_match(CLI::App& program) {
                "Write the confidence of each source vertex, 0 to 1 (.npy)");
     const auto exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
+    const auto partial = std::make_shared<PartialArguments>();
     for (const CLI::Option* option : match->get_options()) command->method_of_option[option] = "";
-    add_method(*command, *match, [&] { return add_auto_method(exact, spectral); });
+    add_method(*command, *match, [&] { return add_auto_method(exact, spectral, partial); });
     add_method(*command, *match, [&] { return add_exact_method(*match, exact); });
     add_method(*command, *match, [&] { return add_frontiers_method(*match); });
     add_method(*command, *match, [&] { return add_spectral_method(*match, spectral); });
+    add_method(*command, *match, [&] { return add_partial_method(*match, partial, spectral); });
     add_method(*command, *match, [&] { return add_nearest_method(*match); });
     add_method(*command, *match, [&] { return add_assignment_method(*match); });
     FileArguments& files = command->common.files;

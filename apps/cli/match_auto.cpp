@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match_exact.hpp"
 #include "match_methods.hpp"
+#include "match_partial.hpp"
 #include "match_spectral.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -15,17 +16,21 @@ namespace counterpart::cli {
 namespace {
 
 MatchOptions options_of(const MatchInput& input, const ExactArguments& exact,
-                        const SpectralArguments& spectral) {
+                        const SpectralArguments& spectral, const PartialArguments& partial) {
     return {.exact = exact.options,
             .spectral = spectral.options_for(input),
             .spectral_shape = spectral.shape,
+            .partial = partial.options_for(input, spectral),
             .n_threads = input.common.threads,
             .progress = input.progress};
 }
 
 // Messages and report of the method that answered; writes the files it was asked for.
 MatchOutcome outcome_of(const MatchInput& input, const ExactArguments& exact,
-                        const SpectralArguments& spectral, const MatchResult& result) {
+                        const SpectralArguments& spectral, const PartialArguments& partial,
+                        const MatchResult& result) {
+    if (result.method == MatchMethod::partial)
+        return partial_outcome(input, partial, spectral, *result.partial);
     if (result.method == MatchMethod::spectral) return spectral_outcome(spectral, *result.spectral);
     if (result.method == MatchMethod::exact && result.exact && result.exact->identical)
         return exact_outcome(input, exact, *result.exact);
@@ -53,11 +58,12 @@ void require_same_connectivity(const MatchInput& input, const ExactArguments& ex
 }  // namespace
 
 MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
-                              const std::shared_ptr<SpectralArguments>& spectral) {
+                              const std::shared_ptr<SpectralArguments>& spectral,
+                              const std::shared_ptr<PartialArguments>& partial) {
     return {"auto",
-            "exact if the connectivity is the same or nearly so, else spectral; reports the choice and the "
-            "reason",
-            [exact, spectral](const MatchInput& input) {
+            "exact if the connectivity is the same or nearly so, partial if a mesh is open, else spectral; "
+            "reports the choice and the reason",
+            [exact, spectral, partial](const MatchInput& input) {
                 if (exact->allow_differences) {
                     MatchOutcome outcome = exact->run(input);
                     outcome.method = "exact";
@@ -65,9 +71,10 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                 }
                 require_same_connectivity(input, *exact);
                 const MatchResult result =
-                    match(input.source, input.target, options_of(input, *exact, *spectral));
-                MatchOutcome outcome = outcome_of(input, *exact, *spectral, result);
-                outcome.target_from_source = result.target_from_source;
+                    match(input.source, input.target, options_of(input, *exact, *spectral, *partial));
+                MatchOutcome outcome = outcome_of(input, *exact, *spectral, *partial, result);
+                if (result.method != MatchMethod::partial)  // that may be filled
+                    outcome.target_from_source = result.target_from_source;
                 outcome.confidence = result.confidence;
                 outcome.method = to_string(result.method);
                 outcome.stages = result.stages;

@@ -41,17 +41,22 @@ struct MethodCommand {
     std::string summary;  ///< half a line for --help
     std::function<MatchOutcome(const MatchInput&)> run;
     bool has_confidence = true;
+    std::vector<std::string> shared_options{};  ///< that another method brings and this one uses, too
 };
 
 MethodCommand add_frontiers_method(CLI::App& match);
 MethodCommand add_assignment_method(CLI::App& match);
 struct ExactArguments;
+struct PartialArguments;
 struct SpectralArguments;
 
 MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
-                              const std::shared_ptr<SpectralArguments>& spectral);
+                              const std::shared_ptr<SpectralArguments>& spectral,
+                              const std::shared_ptr<PartialArguments>& partial);
 MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
 MethodCommand add_nearest_method(CLI::App& match);
+MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
+                                 const std::shared_ptr<SpectralArguments>& shared);
 MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments);
 
 }  // namespace counterpart::cli

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/partial/roles.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
 #include <counterpart/match/assignment.hpp>
@@ -17,6 +19,9 @@ namespace {
 
 // Shares of the progress bar: the exact tests take milliseconds where spectral takes seconds.
 constexpr double exact_ends = 0.02, differences_end = 0.05;
+
+// Automatic takes a mesh with a boundary of this length, over the square root of its area, for a part.
+constexpr double min_openness = 0.5;
 
 // A method that turns out not to work has already reported; the next one begins where it did.
 Progress never_decreasing(const Progress& progress) {
@@ -46,6 +51,7 @@ class Matching {
             reason_ = options_.spectral.symmetric ? "the mirrored map was asked for" : "landmarks are given";
         else if (by_connectivity())
             return finished(MatchMethod::exact);
+        if (is_partial() && partial_or_why_not()) return finished(MatchMethod::partial);
         if (spectral_or_why_not()) return finished(MatchMethod::spectral);
         nearest(NearestAlignment::similarity, differences_end);
         return finished(MatchMethod::nearest);
@@ -64,6 +70,9 @@ class Matching {
                 break;
             case MatchMethod::spectral:
                 spectral(0);
+                break;
+            case MatchMethod::partial:
+                partial(0);
                 break;
             case MatchMethod::nearest:
                 nearest(NearestAlignment::centroids, 0);
@@ -177,6 +186,44 @@ class Matching {
         }
     }
 
+    // Whether the spectral method, which is for whole surfaces, should not be asked.
+    bool is_partial() {
+        if (options_.spectral.symmetric) return false;
+        const bool is_said = options_.partial.part != Part::unknown;
+        const double open = std::max(partial_match::openness(source_), partial_match::openness(target_));
+        if (is_said) {
+            reason_ += fmt::format("; part: {}", to_string(options_.partial.part));
+        } else if (open > min_openness) {
+            reason_ += fmt::format(
+                "; a mesh is open: its boundary is {:.2g} times as long as the square root of "
+                "its area",
+                open);
+        }
+        return is_said || open > min_openness;
+    }
+
+    void partial(double begin) {
+        PartialOptions options = options_.partial;
+        options.n_threads = options_.n_threads;
+        options.progress = part_of(progress_, begin, 1);
+        if (options.landmarks.empty()) options.landmarks = options_.spectral.landmarks;
+        result_.partial = match_partial(source_, target_, options);
+        result_.target_from_source = result_.partial->target_from_source;
+        result_.confidence = result_.partial->confidence;
+        result_.warnings = result_.partial->warnings;
+        watch_.lap("partial");
+    }
+
+    bool partial_or_why_not() {
+        try {
+            partial(differences_end);
+            return true;
+        } catch (const UnsuitableMesh& error) {
+            reason_ += fmt::format("; {}", error.what());
+            return false;
+        }
+    }
+
     void nearest(NearestAlignment alignment, double begin) {
         result_.target_from_source = match_nearest(source_, target_,
                                                    {.alignment = alignment,
@@ -226,6 +273,8 @@ std::string to_string(MatchMethod method) {
             return "frontiers";
         case MatchMethod::spectral:
             return "spectral";
+        case MatchMethod::partial:
+            return "partial";
         case MatchMethod::nearest:
             return "nearest";
         case MatchMethod::assignment:

@@ -5,6 +5,7 @@
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/frontiers.hpp>
+#include <counterpart/match/partial.hpp>
 #include <counterpart/match/spectral.hpp>
 
 #include <optional>
@@ -14,10 +15,11 @@
 namespace counterpart {
 
 enum class MatchMethod {
-    automatic,   ///< the first of exact, spectral, nearest that can answer: see match
+    automatic,   ///< the first of exact, partial, spectral, nearest that can answer: see match
     exact,       ///< same connectivity; else the part that the meshes share (match_exact, find_differences)
     frontiers,   ///< same connectivity, by breadth-first frontiers (match_frontiers)
     spectral,    ///< any two triangulations of alike shapes (match_spectral)
+    partial,     ///< parts, surfaces with holes or fused with themselves (match_partial)
     nearest,     ///< closest vertices after the centers of mass are aligned (match_nearest)
     assignment,  ///< one to one with the least total distance (match_assignment)
 };
@@ -34,6 +36,8 @@ struct MatchOptions {
     FrontiersOptions frontiers{};
     SpectralOptions spectral{};
     SpectralShapeOptions spectral_shape{};
+    PartialOptions
+        partial{};        ///< if its part is not unknown, automatic takes partial where connectivity fails
     int n_threads = 0;    ///< 0 = all; the result does not depend on it
     Progress progress{};  ///< see base/progress.hpp
 };
@@ -43,8 +47,8 @@ struct MatchResult {
     MatchMethod method = MatchMethod::automatic;  ///< the one that found the map
     std::string reason;                           ///< why automatic chose it, as a sentence; else empty
     /// Per source vertex, in [0, 1]: 1 where connectivity determines the partner, 0.5 where it leaves a
-    /// doubt, 0 for vertices that are unmatched or only follow those around them; of spectral its own; of
-    /// nearest and assignment 0, as nothing speaks for them but place.
+    /// doubt, 0 for vertices that are unmatched or only follow those around them; of spectral and partial
+    /// their own; of nearest and assignment 0, as nothing speaks for them but place.
     Vector confidence;
     Index n_filled = 0;                 ///< vertices without a partner that follow those around them
     std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
@@ -56,6 +60,7 @@ struct MatchResult {
     std::optional<MeshDifferences> differences{};
     std::optional<FrontiersResult> frontiers{};
     std::optional<SpectralResult> spectral{};
+    std::optional<PartialResult> partial{};
 };
 
 /// Which target vertex is each source vertex? With method automatic:
@@ -64,8 +69,10 @@ struct MatchResult {
 ///   2. nearly the same (min_shared of both meshes agree): the partial isomorphism (find_differences), and
 ///   the
 ///      vertices between follow those around them over the surface (complete_map);
-///   3. otherwise the spectral map (match_spectral), which matches every vertex;
-///   4. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
+///   3. where a mesh is open, or said to be a part: the partial map (match_partial), -1 for what has no
+///      partner;
+///   4. otherwise the spectral map (match_spectral), which matches every vertex;
+///   5. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
 ///      similarity alignment.
 ///
 /// Asking for the mirrored map (spectral.symmetric) or giving landmarks skips 1 and 2. Throws InvalidInput

@@ -92,8 +92,9 @@ Points moved_differences(const SparseMatrix& stiffness, PointsView rest,
 }  // namespace
 
 Points ElasticFit::operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
-                              const ProgressRange& progress) {
-    const Vector pull = system_->mass / (stiffness_length * stiffness_length);
+                              const ProgressRange& progress, const Vector& trust) {
+    Vector pull = system_->mass / (stiffness_length * stiffness_length);
+    if (trust.size() > 0) pull.array() *= trust.array();
     SparseMatrix sum = system_->stiffness;
     for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
     system_->factor.factorize(sum);

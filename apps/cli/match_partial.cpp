@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match_partial.hpp"
+
+#include "match_spectral.hpp"
+
+#include <counterpart/io/landmark_file.hpp>
+#include <counterpart/io/map_file.hpp>
+#include <counterpart/map/complete.hpp>
+
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+namespace {
+
+Json partial_report(const PartialResult& result) {
+    Json alternatives = Json::array();
+    for (const PartialAlternative& other : result.alternatives)
+        alternatives.push_back({{"score", other.score}, {"moved_share", other.moved}});
+    Json report = {{"part", to_string(result.part)},
+                   {"scale", result.scale},
+                   {"source_share", result.source_share},
+                   {"target_share", result.target_share},
+                   {"score", result.score},
+                   {"agreement", result.agreement},
+                   {"mean_confidence", result.confidence.mean()},
+                   {"alternatives", alternatives},
+                   {"source_touching", result.source_touching},
+                   {"target_touching", result.target_touching},
+                   {"warnings", result.warnings}};
+    if (!result.alternatives.empty()) report["margin"] = result.margin;
+    return report;
+}
+
+std::filesystem::path numbered_alternative(const std::filesystem::path& file, std::size_t number) {
+    return file.parent_path() /
+           fmt::format("{}_{}{}", file.stem().string(), number, file.extension().string());
+}
+
+std::string part_summary(const PartialResult& result) {
+    std::string text =
+        fmt::format("part: {}; {:.0f} % of the source and {:.0f} % of the target have a partner",
+                    to_string(result.part), 100 * result.source_share, 100 * result.target_share);
+    if (result.scale != 1) text += fmt::format("; the source is taken {:.3g} times as large", result.scale);
+    return text;
+}
+
+// Every unmatched vertex follows those around it.
+VertexMap filled(const VertexMap& map, const TriangleMesh& source, const TriangleMesh& target) {
+    const Index n_matched = count_matched(map);
+    if (n_matched == 0 || n_matched == map.source_size()) return map;
+    const VertexMap corners =
+        nearest_corners(complete_map(surface_map_of(map, target), source, target).target_from_source, target);
+    std::vector<Index> image = map.image();
+    for (std::size_t v = 0; v < image.size(); ++v)
+        if (image[v] == VertexMap::unmatched) image[v] = corners[static_cast<Index>(v)];
+    return {std::move(image), target.n_vertices()};
+}
+
+}  // namespace
+
+PartialOptions PartialArguments::options_for(const MatchInput& input, const SpectralArguments& shared) const {
+    PartialOptions result = options;
+    result.n_alternatives = shared.options.n_alternatives;
+    result.seed = shared.shape.seed;
+    result.n_threads = input.common.threads;
+    result.progress = input.progress;
+    if (!shared.landmarks.empty())
+        result.landmarks = read_landmarks(shared.landmarks, input.source, input.target);
+    return result;
+}
+
+MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& arguments,
+                             const SpectralArguments& shared, const PartialResult& result) {
+    if (!shared.alternatives.empty())
+        for (std::size_t i = 0; i < result.alternatives.size(); ++i)
+            write_vertex_map(result.alternatives[i].target_from_source,
+                             numbered_alternative(shared.alternatives, i + 1));
+    MatchOutcome outcome;
+    outcome.messages.push_back(part_summary(result));
+    outcome.messages.push_back(
+        fmt::format("score {:.3f}, mean confidence {:.2f}", result.score, result.confidence.mean()));
+    for (const PartialAlternative& other : result.alternatives)
+        outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {:.0f} % of the part goes elsewhere",
+                                               other.score, 100 * other.moved));
+    outcome.details = partial_report(result);
+    outcome.stages = result.stages;
+    outcome.warnings = result.warnings;
+    outcome.target_from_source = result.target_from_source;
+    outcome.source_from_target = result.source_from_target;
+    outcome.confidence = result.confidence;
+    if (arguments.fill) {
+        outcome.target_from_source = filled(result.target_from_source, input.source, input.target);
+        const Index n = count_matched(outcome.target_from_source) - count_matched(result.target_from_source);
+        outcome.messages.push_back(fmt::format("{} unmatched vertices filled from their neighbors", n));
+        outcome.details["filled_vertices"] = n;
+    }
+    return outcome;
+}
+
+MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
+                                 const std::shared_ptr<SpectralArguments>& shared) {
+    const std::string group =
+        "Options of --method partial (which also uses --landmarks, --seed, --alternatives)";
+    const std::map<std::string, Part> parts{{"unknown", Part::unknown},
+                                            {"source", Part::source},
+                                            {"target", Part::target},
+                                            {"both", Part::both},
+                                            {"neither", Part::neither}};
+    match
+        .add_option("--part", arguments->options.part,
+                    "Which mesh shows only a part: source, target, both (parts that overlap), neither "
+                    "(whole, perhaps "
+                    "fused with itself), unknown (seen from their boundaries)")
+        ->transform(CLI::CheckedTransformer(parts, CLI::ignore_case))
+        ->option_text("PART [unknown]")
+        ->group(group);
+    match
+        .add_flag("--same-scale", arguments->options.same_scale,
+                  "The files share their unit of length: surer and faster than searching the scale")
+        ->group(group);
+    match
+        .add_flag("--fill", arguments->fill,
+                  "Give vertices without a partner an image that follows those around them, instead of -1")
+        ->group(group);
+    return {"partial",
+            "local shape and distances: parts, meshes with holes, surfaces fused with themselves",
+            [arguments, shared](const MatchInput& input) {
+                return partial_outcome(
+                    input, *arguments, *shared,
+                    match_partial(input.source, input.target, arguments->options_for(input, *shared)));
+            },
+            true,
+            {"--landmarks", "--seed", "--alternatives", "--alternatives-output"}};
+}
+
+}  // namespace counterpart::cli

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Accuracy of match_partial on a folder of meshes with ground truth:
+//
+//     partial FOLDER RESULTS.jsonl [dev|test|all] [THREADS] [key=value ...]
+//
+// FOLDER holds pairs.txt (two names a line), NAME.off and truth/SOURCE__TARGET.txt (line i = target vertex of
+// source vertex i, -1 = none). "dev" is every pair with an even line number from 0, "test" the others. Each
+// source is turned at random. Keys: part=source|target|both|unknown, scale=same|unknown, unpaired=unknown (-1
+// in the truth says nothing) or none (it says that there is no partner), only=SUBSTRING of the pair, swap=1
+// (match target to source). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 /
+// sqrt(target area); the last line on stdout is the summary.
+#include <counterpart/base/random.hpp>
+#include <counterpart/geodesic/distances.hpp>
+#include <counterpart/io/map_file.hpp>
+#include <counterpart/io/mesh_file.hpp>
+#include <counterpart/match/partial.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using namespace counterpart;
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+using Settings = std::map<std::string, std::string>;
+
+TriangleMesh turned(TriangleMesh mesh, std::uint64_t seed) {
+    Random random(seed);
+    const auto normal = [&] {
+        return std::sqrt(-2 * std::log(1 - random.uniform())) *
+               std::cos(6.283185307179586 * random.uniform());
+    };
+    const Eigen::Quaterniond rotation =
+        Eigen::Quaterniond(normal(), normal(), normal(), normal()).normalized();
+    mesh.vertices = mesh.vertices * rotation.toRotationMatrix().transpose();
+    return mesh;
+}
+
+Part part_named(const std::string& name) {
+    for (const Part part : {Part::source, Part::target, Part::both, Part::neither})
+        if (to_string(part) == name) return part;
+    return Part::unknown;
+}
+
+// Mean over at most 1000 vertices with a known partner.
+double mean_error(const VertexMap& map, const VertexMap& truth, const TriangleMesh& target,
+                  std::vector<double>* all) {
+    std::vector<std::pair<Index, Index>> ends;
+    for (Index v = 0; v < map.source_size(); ++v)
+        if (truth[v] >= 0 && map[v] >= 0) ends.emplace_back(truth[v], map[v]);
+    std::vector<std::pair<Index, Index>> some;
+    const std::size_t n = std::min<std::size_t>(ends.size(), 1000);
+    for (std::size_t i = 0; i < n; ++i) some.push_back(ends[i * ends.size() / n]);
+    const Vector errors = pair_distances(DistanceGraph(target), some) * 100 / std::sqrt(surface_area(target));
+    double sum = 0;
+    for (const double e : errors) {
+        sum += std::min(e, 500.0);
+        if (all != nullptr) all->push_back(e);
+    }
+    return n > 0 ? sum / static_cast<double>(n) : std::nan("");
+}
+
+Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
+             const Settings& settings, int n_threads) {
+    const auto setting = [&](const std::string& key, const std::string& otherwise) {
+        const auto found = settings.find(key);
+        return found == settings.end() ? otherwise : found->second;
+    };
+    TriangleMesh source = turned(read_mesh(folder / (a + ".off")).mesh, seed);
+    TriangleMesh target = read_mesh(folder / (b + ".off")).mesh;
+    source.vertices *= std::stod(setting("times", "1"));
+    VertexMap truth = read_vertex_map(folder / "truth" / (a + "__" + b + ".txt"));
+    const bool swap = setting("swap", "0") == "1";
+    if (swap) {
+        std::swap(source, target);
+        truth = invert(VertexMap(truth.image(), source.n_vertices()));
+    }
+    PartialOptions options{.part = part_named(setting("part", "unknown")), .n_threads = n_threads};
+    options.same_scale = setting("scale", "same") == "same";
+    Stopwatch watch;
+    const PartialResult result = match_partial(source, target, options);
+    watch.lap("match");
+
+    const bool none_is_known = setting("unpaired", "none") == "none";
+    std::vector<double> errors;
+    const double mean = mean_error(result.target_from_source, truth, target, &errors);
+    std::sort(errors.begin(), errors.end());
+    Index paired = 0, missed = 0, unpaired = 0, invented = 0, common = 0;
+    double doubt_sum = 0, sure_sum = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        const bool matched = result.target_from_source[v] >= 0;
+        if (v < truth.source_size() && truth[v] >= 0) {
+            ++paired, missed += matched ? 0 : 1, common += matched ? 1 : 0;
+            sure_sum += matched ? result.confidence[v] : 0;
+        } else if (none_is_known) {
+            ++unpaired, invented += matched ? 1 : 0;
+            doubt_sum += matched ? result.confidence[v] : 0;
+        }
+    }
+    Json line = {{"source", a},
+                 {"target", b},
+                 {"mean_error", mean},
+                 {"median_error", errors.empty() ? std::nan("") : errors[errors.size() / 2]},
+                 {"missed", static_cast<double>(missed) / std::max(paired, 1)},
+                 {"invented", static_cast<double>(invented) / std::max(unpaired, 1)},
+                 {"iou", static_cast<double>(common) / std::max(paired + invented, 1)},
+                 {"overlap", static_cast<double>(paired) / std::max(source.n_vertices(), 1)},
+                 {"confidence", common > 0 ? sure_sum / common : 0},
+                 {"score", result.score},
+                 {"margin", std::min(result.margin, 9.0)},
+                 {"part", to_string(result.part)},
+                 {"scale", result.scale},
+                 {"warnings", result.warnings.size()},
+                 {"seconds", watch.stages()[0].seconds}};
+    for (const PartialAlternative& other : result.alternatives)
+        line["alternatives"].push_back(
+            {other.score, mean_error(other.target_from_source, truth, target, nullptr)});
+    for (const StageTime& stage : result.stages)
+        line["stages"][stage.stage] = std::round(stage.seconds * 1000) / 1000;
+    return line;
+}
+
+double middle(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values.empty() ? std::nan("") : values[values.size() / 2];
+}
+
+void print_summary(const std::string& name, const std::vector<Json>& lines) {
+    std::map<std::string, std::vector<double>> columns;
+    for (const Json& line : lines)
+        for (const char* key : {"mean_error", "missed", "invented", "iou", "seconds", "confidence", "score"})
+            if (line[key].is_number()) columns[key].push_back(line[key]);
+    const auto mean = [&](const char* key) {
+        double sum = 0;
+        for (const double x : columns[key]) sum += x;
+        return columns[key].empty() ? 0 : sum / static_cast<double>(columns[key].size());
+    };
+    const auto above = [&](double e) {
+        return std::count_if(columns["mean_error"].begin(), columns["mean_error"].end(),
+                             [&](double x) { return x > e; });
+    };
+    const Json summary = {{"summary", name},
+                          {"pairs", lines.size()},
+                          {"mean_error", mean("mean_error")},
+                          {"median_error", middle(columns["mean_error"])},
+                          {"pairs_above_10", above(10)},
+                          {"pairs_above_15", above(15)},
+                          {"missed", mean("missed")},
+                          {"invented", mean("invented")},
+                          {"iou", mean("iou")},
+                          {"confidence", mean("confidence")},
+                          {"median_seconds", middle(columns["seconds"])}};
+    std::printf("%s\n", summary.dump().c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::fprintf(stderr,
+                     "usage: partial FOLDER RESULTS.jsonl [dev|test|all] [THREADS] [key=value ...]\n");
+        return 2;
+    }
+    const fs::path folder = argv[1];
+    const std::string half = argc > 3 ? argv[3] : "all";
+    const int n_threads = argc > 4 ? std::atoi(argv[4]) : 0;
+    Settings settings;
+    for (int i = 5; i < argc; ++i) {
+        const std::string text = argv[i];
+        const auto equals = text.find('=');
+        if (equals != std::string::npos) settings[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    std::ifstream pairs(folder / "pairs.txt");
+    std::ofstream out(argv[2]);
+    std::vector<Json> lines;
+    std::uint64_t number = 0;
+    for (std::string a, b; pairs >> a >> b; ++number) {
+        if ((half == "dev" && number % 2 == 1) || (half == "test" && number % 2 == 0)) continue;
+        if ((a + " " + b).find(settings["only"]) == std::string::npos) continue;
+        lines.push_back(measure(folder, a, b, number + 1, settings, n_threads));
+        out << lines.back().dump() << std::endl;
+    }
+    print_summary(folder.filename().string() + " " + half, lines);
+}

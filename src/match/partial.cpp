@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+#include "match/partial/overlap.hpp"
+#include "match/partial/pipeline.hpp"
+#include "match/partial/roles.hpp"
+#include "match/partial/tears.hpp"
+#include "match/partial/trust.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/partial.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using namespace partial_match;
+using spectral_match::Preprocessed;
+
+void require_valid(const PartialOptions& options, MeshView source, MeshView target) {
+    if (options.n_alternatives < 0 || options.n_alternatives > 10)
+        throw InvalidInput(
+            fmt::format("the number of alternatives must be from 0 to 10, not {}", options.n_alternatives));
+    if (options.n_samples < 200 || options.n_samples > 5000)
+        throw InvalidInput(
+            fmt::format("the number of samples must be from 200 to 5000, not {}", options.n_samples));
+    for (const auto& [s, t] : options.landmarks)
+        if (s < 0 || s >= source.n_vertices() || t < 0 || t >= target.n_vertices())
+            throw InvalidInput(
+                fmt::format("landmark ({}, {}) is out of range: the meshes have {} and {} vertices", s, t,
+                            source.n_vertices(), target.n_vertices()));
+}
+
+Preprocessed cleaned(MeshView mesh, const std::string& name) {
+    constexpr Index min_vertices = 50;
+    const double area = surface_area(mesh);
+    if (!(area > 0))
+        throw UnsuitableMesh(fmt::format("the {} has no area: all its triangles are degenerate", name));
+    if (!std::isfinite(area))
+        throw UnsuitableMesh(fmt::format("the {} is too large to measure: scale it down first", name));
+    Preprocessed result = spectral_match::preprocess(mesh);
+    if (result.mesh.n_vertices() < min_vertices)
+        throw UnsuitableMesh(
+            fmt::format("partial matching needs meshes of at least {} vertices, but the {} has {}: too "
+                        "few to show a shape; subdivide it first",
+                        min_vertices, name, result.mesh.n_vertices()));
+    return result;
+}
+
+TriangleMesh in_units(MeshView mesh, double unit) {
+    TriangleMesh result = mesh.copy();
+    const Eigen::RowVector3d center = surface_centroid(mesh).transpose();
+    result.vertices.rowwise() -= center;
+    result.vertices /= unit;
+    return result;
+}
+
+// One pair of meshes: the part is bent onto the whole, whichever of them is the source.
+class PartialMatching {
+  public:
+    PartialMatching(MeshView source, MeshView target, const PartialOptions& options,
+                    const ProgressRange& progress)
+        : options_(options),
+          progress_(progress),
+          source_(cleaned(source, "source")),
+          target_(cleaned(target, "target")) {
+        result_.part = options.part == Part::unknown ? seen_part(source_.mesh, target_.mesh) : options.part;
+        bends_source_ = result_.part == Part::source ||
+                        (result_.part == Part::neither &&
+                         euler_characteristic(source_.mesh) <= euler_characteristic(target_.mesh)) ||
+                        (result_.part == Part::both && openness(source_.mesh) >= openness(target_.mesh));
+        watch_.lap("clean");
+    }
+
+    PartialResult run() {
+        measure();
+        if (!options_.same_scale && result_.part != Part::neither) rescale();
+        const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
+                              tuning_.surface);
+        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(0.4, 1));
+        if (result_.part == Part::neither) tear(found);
+        if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
+        take(found);
+        result_.stages = watch_.stages();
+        return std::move(result_);
+    }
+
+  private:
+    const Preprocessed& of_part() const { return bends_source_ ? source_ : target_; }
+    const Preprocessed& of_whole() const { return bends_source_ ? target_ : source_; }
+    int n_part_samples() const { return options_.n_samples / tuning_.surface.samples_ratio; }
+    bool part_is_covered() const { return result_.part != Part::both; }
+
+    // Both surfaces in one unit: the square root of the whole's area; of two parts, of the larger one's.
+    void measure() {
+        const double part_area = surface_area(of_part().mesh), whole_area = surface_area(of_whole().mesh);
+        const bool is_known = options_.same_scale && result_.part != Part::neither;
+        const double area =
+            result_.part == Part::both && is_known ? std::max(part_area, whole_area) : whole_area;
+        scale_ = is_known ? 1 : std::sqrt(whole_area / part_area);
+        std::vector<Index> on_part, on_whole;
+        for (const auto& [s, t] : options_.landmarks) {
+            on_part.push_back(of_part().matched_of_input[static_cast<std::size_t>(bends_source_ ? s : t)]);
+            on_whole.push_back(of_whole().matched_of_input[static_cast<std::size_t>(bends_source_ ? t : s)]);
+        }
+        parallel_invoke(
+            [&] {
+                part_.emplace(in_units(of_part().mesh, std::sqrt(area) / scale_), n_part_samples(), on_part,
+                              tuning_.surface, progress_.part(0, 0.2));
+            },
+            [&] {
+                whole_.emplace(in_units(of_whole().mesh, std::sqrt(area)), options_.n_samples, on_whole,
+                               tuning_.surface, progress_.part(0, 0.2));
+            });
+        watch_.lap("surfaces");
+    }
+
+    // Where the best map tears the part, the surface may be fused with itself: distances are measured again
+    // without the torn triangles, and the part is matched again.
+    void tear(std::vector<Fit>& found) {
+        for (int round = 0; round < tuning_.tear.n_rounds && !found.empty(); ++round) {
+            const Tears tears = find_tears(*part_, *whole_, found.front().bent.image, tuning_.tear);
+            if (tears.vertices.empty()) break;
+            Surface torn(tears.mesh, n_part_samples(), {}, tuning_.surface, {});
+            std::vector<Fit> again = fits(SamplePair(torn, *whole_, 0, tuning_.surface), tuning_,
+                                          options_.seed, watch_, progress_.part(1, 1));
+            if (again.empty() || again.front().total < found.front().total + tuning_.tear.min_gain) break;
+            found = std::move(again);
+            std::vector<Index>& touching = bends_source_ ? result_.source_touching : result_.target_touching;
+            touching.clear();
+            for (const Index v : tears.vertices)
+                touching.push_back(of_part().input_of_matched[static_cast<std::size_t>(v)]);
+            std::sort(touching.begin(), touching.end());
+            part_.emplace(std::move(torn));
+            watch_.lap("tear");
+        }
+    }
+
+    // Both have unit area now.
+    void rescale() {
+        const ScaleTuning& tuning = tuning_.scale;
+        const bool two_parts = result_.part == Part::both;
+        const double least = std::sqrt(two_parts ? 1 / tuning.max_ratio : tuning.min_share),
+                     most = std::sqrt(two_parts ? tuning.max_ratio : tuning.max_share);
+        const double factor = find_scale(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
+                                         least, most, tuning_, options_.seed, progress_.part(0.2, 0.4));
+        part_ = rescaled(*part_, factor, tuning_.surface);
+        scale_ *= factor;
+        watch_.lap("scale");
+    }
+
+    // A map between the cleaned meshes as one between the inputs.
+    static VertexMap lifted(const std::vector<Index>& map, const Preprocessed& from, const Preprocessed& to) {
+        std::vector<Index> image;
+        for (const Index v : from.matched_of_input) {
+            const Index w = map[static_cast<std::size_t>(v)];
+            image.push_back(w < 0 ? w : to.input_of_matched[static_cast<std::size_t>(w)]);
+        }
+        return {std::move(image), static_cast<Index>(to.matched_of_input.size())};
+    }
+
+    VertexMap target_from_source(const PartnerMaps& maps) const {
+        return lifted(bends_source_ ? maps.whole_from_part : maps.part_from_whole, source_, target_);
+    }
+
+    void take(const std::vector<Fit>& found) {
+        const PartnerMaps best =
+            partners(*part_, *whole_, found.front().bent, part_is_covered(), tuning_.overlap);
+        watch_.lap("partners");
+        result_.target_from_source = target_from_source(best);
+        result_.source_from_target =
+            lifted(bends_source_ ? best.part_from_whole : best.whole_from_part, target_, source_);
+        result_.scale = bends_source_ ? scale_ : 1 / scale_;
+        result_.score = found.front().score;
+        result_.agreement = found.front().agreement;
+        result_.margin =
+            found.size() > 1 ? found[0].total - found[1].total : std::numeric_limits<double>::infinity();
+        const double part_share = matched_area(best.whole_from_part, of_part().mesh),
+                     whole_share = matched_area(best.part_from_whole, of_whole().mesh);
+        result_.source_share = bends_source_ ? part_share : whole_share;
+        result_.target_share = bends_source_ ? whole_share : part_share;
+        for (std::size_t i = 1; i < found.size() && static_cast<int>(i) <= options_.n_alternatives; ++i)
+            result_.alternatives.push_back(
+                {target_from_source(
+                     partners(*part_, *whole_, found[i].bent, part_is_covered(), tuning_.overlap)),
+                 found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.trust)});
+        const Vector of_part_vertices = confidence(*part_, *whole_, found, tuning_.trust);
+        result_.confidence.resize(result_.target_from_source.source_size());
+        for (Index v = 0; v < result_.confidence.size(); ++v) {
+            const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
+            const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
+            result_.confidence[v] =
+                on_part < 0 ? trust(found.front(), tuning_.trust) : of_part_vertices[on_part];
+        }
+        result_.warnings = warnings(result_, source_, target_, tuning_.trust);
+        watch_.lap("confidence");
+    }
+
+    static double matched_area(const std::vector<Index>& map, MeshView mesh) {
+        const Vector areas = vertex_areas(mesh);
+        double matched = 0;
+        for (std::size_t v = 0; v < map.size(); ++v) matched += map[v] < 0 ? 0 : areas[static_cast<Index>(v)];
+        return matched / areas.sum();
+    }
+
+    const PartialOptions& options_;
+    const ProgressRange& progress_;
+    const PartialTuning tuning_;
+    Stopwatch watch_;
+    Preprocessed source_, target_;
+    bool bends_source_ = true;
+    double scale_ = 1;  // by which the part is multiplied, relative to the whole
+    std::optional<Surface> part_, whole_;
+    PartialResult result_;
+};
+
+}  // namespace
+
+std::string to_string(Part part) {
+    switch (part) {
+        case Part::unknown:
+            return "unknown";
+        case Part::source:
+            return "source";
+        case Part::target:
+            return "target";
+        case Part::both:
+            return "both";
+        case Part::neither:
+            return "neither";
+    }
+    return "unknown";
+}
+
+PartialResult match_partial(MeshView source, MeshView target, const PartialOptions& options) {
+    counterpart::require_valid(source);
+    counterpart::require_valid(target);
+    require_valid(options, source, target);
+    return spectral_match::with_progress(options.progress, [&](const ProgressRange& progress) {
+        return with_threads(options.n_threads,
+                            [&] { return PartialMatching(source, target, options, progress).run(); });
+    });
+}
+
+}  // namespace counterpart

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/partial/consensus.hpp"
+#include "match/partial/one_way_fit.hpp"
+
+#include <counterpart/base/progress.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpart::partial_match {
+
+/// One way in which the part fits.
+struct Fit {
+    SampleMap anchors;         // of the part's samples
+    BentSource bent;           // of all the part's vertices
+    std::vector<float> alike;  // of each sample, the SHOT similarity with its image
+    double score = 0;          // their mean
+    double agreement = 0;      // mean support of the anchors
+    double total = 0;          // the larger, the better; comparable within a pair
+};
+
+/// Steps 2 to 6: the ways in which the part fits the whole, best first.
+std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::uint64_t seed,
+                      Stopwatch& watch, const ProgressRange& progress);
+
+/// The factor by which the part must grow so that its lengths are those of the whole. Tried from `least` to
+/// `most`.
+double find_scale(const Surface& part, const Surface& whole, Index n_landmarks, double least, double most,
+                  const PartialTuning& tuning, std::uint64_t seed, const ProgressRange& progress);
+
+}  // namespace counterpart::partial_match

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/partial/roles.hpp"
+
+#include "match/partial/surface.hpp"
+
+#include <counterpart/mesh/measure.hpp>
+
+#include <cmath>
+
+namespace counterpart::partial_match {
+
+double openness(MeshView mesh) {
+    double length = 0;
+    for (const auto& [v, w] : boundary_edges(mesh))
+        length += (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
+    return length / std::sqrt(surface_area(mesh));
+}
+
+Part seen_part(MeshView source, MeshView target) {
+    constexpr double open = 0.1;  // a hole of this girth: eyes and nostrils are smaller
+    const bool a = openness(source) > open, b = openness(target) > open;
+    if (a && b) return Part::both;
+    if (a) return Part::source;
+    return b ? Part::target : Part::neither;
+}
+
+}  // namespace counterpart::partial_match

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/partial/surface.hpp"
+
+#include "base/parallel.hpp"
+#include "geodesic/dijkstra.hpp"
+
+#include <counterpart/geodesic/farthest_points.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace counterpart::partial_match {
+namespace {
+
+// Spread evenly in space, beginning with the one farthest from their center.
+std::vector<Index> spread_out(const std::vector<Index>& vertices, const Points& positions,
+                              std::size_t count) {
+    if (vertices.size() <= count) return vertices;
+    const Points points = positions(vertices, Eigen::all);
+    const Eigen::RowVector3d center = points.colwise().mean();
+    Vector distance = (points.rowwise() - center).rowwise().squaredNorm();
+    std::vector<Index> chosen;
+    for (std::size_t i = 0; i < count; ++i) {
+        Eigen::Index next = 0;
+        distance.maxCoeff(&next);
+        if (i == 0) distance.setConstant(std::numeric_limits<double>::infinity());
+        chosen.push_back(vertices[static_cast<std::size_t>(next)]);
+        const Eigen::RowVector3d point = points.row(next);
+        distance = distance.cwiseMin((points.rowwise() - point).rowwise().squaredNorm());
+    }
+    return chosen;
+}
+
+MatrixF lower_bounds(const Surface& surface) {
+    MatrixF low = surface.between.high;
+    for (float& d : low.reshaped())
+        if (d >= unreachable) d = 0;  // of pieces apart nothing is known
+    const auto n = low.rows();
+    const auto m = static_cast<Eigen::Index>(surface.boundary.size());
+    if (m == 0) return low;
+    const MatrixF to_boundary = surface.rows(Eigen::all, surface.boundary);  // samples x boundary
+    const Points points = surface.mesh.vertices(surface.boundary, Eigen::all);
+    MatrixF jumped(n, m);  // from a sample to a boundary vertex by a straight line from another
+    parallel_for(static_cast<std::size_t>(m), 8, [&](std::size_t b) {
+        const Eigen::RowVectorXf line = (points.rowwise() - points.row(static_cast<Eigen::Index>(b)))
+                                            .rowwise()
+                                            .norm()
+                                            .transpose()
+                                            .cast<float>();
+        for (Eigen::Index i = 0; i < n; ++i)
+            jumped(i, static_cast<Eigen::Index>(b)) = (to_boundary.row(i) + line).minCoeff();
+    });
+    parallel_for(static_cast<std::size_t>(n), 8, [&](std::size_t k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        for (Eigen::Index j = 0; j < n; ++j)
+            low(i, j) = std::min(low(i, j), (jumped.row(i) + to_boundary.row(j)).minCoeff());
+    });
+    return low.cwiseMin(low.transpose().eval());
+}
+
+}  // namespace
+
+std::vector<std::pair<Index, Index>> boundary_edges(MeshView mesh) {
+    std::vector<std::pair<Index, Index>> edges, open;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c)
+            edges.push_back(std::minmax({mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3)}));
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
+            open.push_back(edges[i]);
+    return open;
+}
+
+MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,
+                             const ProgressRange& progress) {
+    MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
+    parallel_for_with(
+        sources.size(), 1, [&] { return geodesic::Dijkstra(graph); },
+        [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
+            progress.check();
+            dijkstra.search(sources.subspan(i, 1), {.radius = radius});
+            for (Index v = 0; v < graph.n_vertices(); ++v)
+                rows(static_cast<Eigen::Index>(i), v) =
+                    std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
+        });
+    return rows;
+}
+
+Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& landmarks,
+                 const SurfaceTuning& tuning, const ProgressRange& progress)
+    : mesh(std::move(scaled)),
+      area(surface_area(mesh)),
+      normals(vertex_normals(mesh)),
+      on_boundary(static_cast<std::size_t>(mesh.n_vertices()), 0),
+      samples(landmarks),
+      shot(std::make_shared<descriptor::ShotSurface>(mesh, normals, tuning.spacing)) {
+    const DistanceGraph graph(mesh);
+    for (const auto& [v, w] : boundary_edges(mesh)) {
+        on_boundary[static_cast<std::size_t>(v)] = on_boundary[static_cast<std::size_t>(w)] = 1;
+        boundary_length += (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
+    }
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (on_boundary[static_cast<std::size_t>(v)] != 0) boundary.push_back(v);
+    boundary = spread_out(boundary, mesh.vertices, static_cast<std::size_t>(tuning.n_boundary));
+    const std::vector<Index> spread = farthest_point_samples(mesh, graph, {.count = n_samples}).vertices;
+    samples.insert(samples.end(), spread.begin(), spread.end());
+    progress.reach(0.2);
+    rows = distance_rows_within(graph, samples, std::numeric_limits<double>::infinity(), progress);
+    progress.reach(0.6);
+    between.high = rows(Eigen::all, samples);
+    between.low = lower_bounds(*this);
+    progress.reach(0.7);
+    signatures = signatures_of(samples, tuning.radii);
+    progress.reach(1);
+}
+
+MatrixF Surface::signatures_of(std::span<const Index> vertices, std::span<const double> radii) const {
+    std::vector<double> unscaled;
+    for (const double radius : radii) unscaled.push_back(radius / shot_scale);
+    return (*shot)(vertices, unscaled);
+}
+
+Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tuning) {
+    const auto grown = [&](const MatrixF& distances) {
+        return MatrixF(
+            (distances.array() < unreachable).select(distances * static_cast<float>(factor), distances));
+    };
+    Surface result = surface;
+    result.mesh.vertices *= factor;
+    result.area *= factor * factor;
+    result.boundary_length *= factor;
+    result.rows = grown(result.rows);
+    result.between = {grown(result.between.low), grown(result.between.high)};
+    result.shot_scale *= factor;
+    result.signatures = result.signatures_of(result.samples, tuning.radii);
+    return result;
+}
+
+}  // namespace counterpart::partial_match

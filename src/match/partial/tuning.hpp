@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Every constant of the method, in the order in which its steps run. Lengths are in units of sqrt(area of the
+// full shape). docs/partial.md says what each step is worth.
+#pragma once
+
+#include <counterpart/base/types.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace counterpart::partial_match {
+
+/// Step 1, each surface for itself.
+struct SurfaceTuning {
+    int samples_ratio = 4;                          ///< samples of the whole for each of the part
+    std::array<double, 3> radii{0.06, 0.10, 0.15};  ///< of SHOT; no single one serves all shapes
+    double spacing = 0.008;                         ///< of the points that SHOT counts
+    int n_boundary = 250;  ///< boundary vertices through which lower bounds are taken
+};
+
+/// Step 2, samples matched by agreement of distances.
+struct ConsensusTuning {
+    int n_candidates =
+        12;  ///< target samples per source sample; with 6 a person with holes is wrong once in 10
+    double sigma = 0.03, sigma_slope = 0.06;  ///< tolerance of a distance d: sigma + sigma_slope * d
+    double interval_length = 0.15;            ///< a distance known to within this counts half
+    double far_length = 0.3;                  ///< a distance of this length counts half
+    double min_distance = 0.02;               ///< closer pairs say nothing
+    double frame_distance = 0.25;             ///< closer pairs must agree in how their normals are turned
+    double frame_sigma = 0.35;
+    double landmark_weight = 10;  ///< of a pair with a known partner against other pairs
+    int n_seeds = 60, n_seeds_per_sample = 3;
+    int n_power_steps = 8, n_gated_steps = 3;
+    double gate = 0.01;         ///< of the greatest affinity to the seed: below, a match is not its friend
+    double loser_weight = 0.3;  ///< of the square of what a candidate has against its sample's best
+    int n_choice_rounds = 8;
+    double min_support = 0.45;  ///< of the median; samples of less do not vote
+    double same_share = 0.8;    ///< of equal images at which two clusters are one
+    double min_total = 0.7;     ///< of the best cluster's, to be kept
+    std::size_t n_clusters = 8;
+};
+
+/// Step 3, images chosen among all target samples.
+struct RelabelingTuning {
+    int n_rounds = 6;
+    double sigma = 0.02, sigma_slope = 0.05, near_length = 0.06;
+    double similarity_weight = 0.15;
+    double min_changed = 0.02;                 ///< share of samples that move; below it the rounds end
+    double vote_from = 0.5, vote_range = 0.4;  ///< of the median support: a vote counts 0 below, 1 above
+};
+
+/// Step 4, a map of all vertices from that of the samples.
+struct AnchoringTuning {
+    std::size_t n_anchors = 16;
+    double min_vote = 0.05;
+    double radius_factor = 1.3, radius_margin = 0.08;
+    double max_difference = 0.12, near_length = 0.03;
+};
+
+/// Step 5, the source bent onto the target.
+struct FitTuning {
+    int n_rounds = 8, n_first_iterations = 12, n_iterations = 4;
+    double first_length = 1, last_length = 0.14;  ///< the fits keep shapes below this size
+    double normal_weight = 0.1;                   ///< a full turn of the normal counts as twice this distance
+    double robust_factor = 2, min_scale = 0.005;  ///< of the median distance: points farther away hardly pull
+    double min_trust = 1e-3, turned_trust = 0.05, min_cosine = 0.2;
+    double beyond_trust = 0.05;  ///< in an image on the target's boundary: the part may go on beyond it
+};
+
+/// Step 7, who has a partner.
+struct OverlapTuning {
+    double normal_weight = 0.1;
+    double max_gap = 0.06, min_cosine = 0;   ///< between partners
+    double beyond_edges = 1, beyond = 0.01;  ///< this far beyond a boundary a vertex still has a partner
+};
+
+/// Where the scale is not known: the part's area is taken to be at least `min_share` and at most `max_share`
+/// of the whole's, and of two parts neither more than `max_ratio` times the other's.
+struct ScaleTuning {
+    double min_share = 0.1, max_share = 1.1, max_ratio = 4;
+    double step = 1.15;  ///< between scales that are tried
+    int n_refinements = 3;
+    double min_distance = 0.05, max_distance = 0.5;  ///< of the pairs that refine it
+};
+
+/// Confidence and warnings. None of these changes the map.
+struct TrustTuning {
+    double half_score = 0.5, score_width = 0.05;
+    double temperature = 0.02;  ///< difference of scores at which a runner-up counts 1 / e
+    double same_place = 0.15;   ///< images closer than this agree
+    double gap_length = 0.05;   ///< between a vertex and its image, at which confidence falls to 1 / e
+    double poor_score = 0.5, close_margin = 0.03;
+    double few_votes = 0.3;
+};
+
+/// Where surfaces are fused.
+struct TearTuning {
+    double length = 0.08,
+           stretch = 2;   ///< an edge is torn if its image is longer than length + stretch * its own
+    int n_rounds = 2;     ///< of tearing and matching again
+    double min_gain = 0;  ///< of the total, to keep a torn map
+};
+
+/// Which of the ways in which a part fits is taken. Fitted on pairs with right and wrong ways.
+struct ChoiceTuning {
+    double agreement = 0.5;    ///< weight of the agreement of distances, against 1 for likeness
+    double strain = 0.03;      ///< of the logarithm of the strain, taken off
+    double min_strain = 1e-4;  ///< smaller strains count as this
+};
+
+struct PartialTuning {
+    SurfaceTuning surface;
+    ConsensusTuning consensus;
+    RelabelingTuning relabeling;
+    std::size_t n_fits = 3;      ///< relabeled maps that are tried out on all vertices
+    double min_plausible = 0.8;  ///< of the best one's likeness times agreement
+    AnchoringTuning anchoring;
+    FitTuning fit;
+    OverlapTuning overlap;
+    ScaleTuning scale;
+    TearTuning tear;
+    ChoiceTuning choice;
+    TrustTuning trust;
+    double judge_radius = 0.10;  ///< of SHOT at the images
+};
+
+}  // namespace counterpart::partial_match

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/cuts.hpp"
+#include "support/disguise.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/match.hpp>
+#include <counterpart/match/partial.hpp>
+#include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+// Few samples: the bodies are small.
+const PartialOptions known{.same_scale = true, .n_samples = 300};
+
+// A body in two poses and two triangulations. Positions in the rest pose tell how far a vertex is from where
+// it belongs.
+class MatchPartial : public testing::Test {
+  protected:
+    const TriangleMesh whole = make_body({.subdivisions = 1});
+    const TriangleMesh other_rest = make_body({.subdivisions = 2});
+    const TriangleMesh other = deform(other_rest, {.bend = 0.4, .twist = 0.3});
+    const double length = std::sqrt(surface_area(whole));
+
+    // Mean over matched vertices of `part`, which came from `whole`, x 100 / sqrt(area).
+    double error(const VertexMap& map, const VertexMap& whole_from_part) const {
+        double sum = 0;
+        for (Index v = 0; v < map.source_size(); ++v)
+            if (map[v] >= 0)
+                sum += (whole.vertices.row(whole_from_part[v]) - other_rest.vertices.row(map[v])).norm();
+        return 100 * sum / count_matched(map) / length;
+    }
+    test::PartOfMesh upper() const { return test::cut_by_plane(whole, {0.2, 1, 0.1}, middle()); }
+    double middle() const { return whole.vertices.col(1).mean() - 0.1; }
+};
+
+TEST_F(MatchPartial, RefusesBadInput) {
+    EXPECT_THROW(match_partial({}, whole), InvalidInput);
+    EXPECT_THROW(match_partial(make_icosphere(1), whole), UnsuitableMesh);  // 42 vertices
+    EXPECT_THROW(match_partial(whole, make_icosphere(1)), UnsuitableMesh);
+    TriangleMesh flat = whole;
+    flat.vertices.setZero();
+    EXPECT_THROW(match_partial(flat, whole), UnsuitableMesh);
+    EXPECT_THROW(match_partial(whole, whole, {.landmarks = {{0, whole.n_vertices()}}}), InvalidInput);
+    EXPECT_THROW(match_partial(whole, whole, {.n_samples = 100}), InvalidInput);
+    EXPECT_THROW(match_partial(whole, whole, {.n_alternatives = -1}), InvalidInput);
+    EXPECT_THROW(match_partial(whole, whole, {.n_threads = -1}), InvalidInput);
+}
+
+TEST_F(MatchPartial, CutBodyLandsOnTheWholeInAnotherPose) {
+    const test::PartOfMesh part = upper();
+    const PartialResult result = match_partial(part.mesh, other, known);
+    EXPECT_EQ(result.part, Part::source);
+    EXPECT_EQ(count_matched(result.target_from_source), part.mesh.n_vertices());
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 4);
+    EXPECT_GT(result.confidence.mean(), 0.5);
+    EXPECT_NEAR(result.target_share, surface_area(part.mesh) / surface_area(whole), 0.1);
+}
+
+TEST_F(MatchPartial, WholeToPartLeavesTheRestUnmatched) {
+    const test::PartOfMesh part = upper();
+    const PartialResult there = match_partial(part.mesh, other, known),
+                        back = match_partial(other, part.mesh, known);
+    EXPECT_EQ(back.part, Part::target);
+    EXPECT_EQ(back.target_from_source, there.source_from_target);
+    EXPECT_EQ(back.source_from_target, there.target_from_source);
+    Index missed = 0, invented = 0;
+    for (Index v = 0; v < other.n_vertices(); ++v) {
+        const double side = other_rest.vertices.row(v).dot(Eigen::RowVector3d(0.2, 1, 0.1)) - middle();
+        if (back.target_from_source[v] < 0 && side > 0.15 * length) ++missed;
+        if (back.target_from_source[v] >= 0 && side < -0.15 * length) ++invented;
+    }
+    EXPECT_LT(missed, other.n_vertices() / 20);
+    EXPECT_LT(invented, other.n_vertices() / 20);
+}
+
+TEST_F(MatchPartial, MovedRenumberedAndOfUnknownScale) {
+    const test::PartOfMesh part = upper();
+    const double before =
+        error(match_partial(part.mesh, other, known).target_from_source, part.whole_from_part);
+    const test::DisguisedMesh disguised = test::shuffled(test::moved(part.mesh, 4), 5);  // scaled, too
+    const PartialResult result = match_partial(disguised.mesh, other, {.n_samples = 300});
+    const double true_scale = std::sqrt(surface_area(part.mesh) / surface_area(disguised.mesh));
+    EXPECT_NEAR(result.scale / true_scale, 1, 0.15);
+    EXPECT_LT(
+        error(compose_maps(disguised.mesh_from_original, result.target_from_source), part.whole_from_part),
+        known + 2);
+}
+
+TEST_F(MatchPartial, PartsThatOverlap) {
+    const test::PartOfMesh a = upper();
+    const test::PartOfMesh b = test::part_of(other, [&](const Eigen::RowVector3d& x) {
+        return x[1] < other.vertices.col(1).mean() + 0.35 * length;
+    });
+    const PartialResult result = match_partial(a.mesh, b.mesh, known);
+    EXPECT_EQ(result.part, Part::both);
+    EXPECT_GT(count_matched(result.target_from_source), 0);
+    EXPECT_LT(count_matched(result.target_from_source), a.mesh.n_vertices());
+    const VertexMap on_other = compose_maps(result.target_from_source, b.whole_from_part);
+    EXPECT_LT(error(on_other, a.whole_from_part), 8);
+}
+
+TEST_F(MatchPartial, HolesAreMatchedAround) {
+    const test::PartOfMesh part = test::with_holes(whole, 5, 0.12 * length, 3);
+    const PartialResult result = match_partial(part.mesh, other, known);
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
+}
+
+TEST_F(MatchPartial, LandmarksAreKept) {
+    const test::PartOfMesh part = upper();
+    const PartialResult free = match_partial(part.mesh, other, known);
+    PartialOptions options = known;
+    for (const Index v : {10, 200, 400}) options.landmarks.emplace_back(v, free.target_from_source[v]);
+    const PartialResult result = match_partial(part.mesh, other, options);
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
+}
+
+TEST_F(MatchPartial, UnlikeShapesAndWrongScalesAreDoubted) {
+    const test::PartOfMesh part = upper();
+    const PartialResult unlike =
+        match_partial(part.mesh, make_torus(40, 60), {.part = Part::source, .n_samples = 300});
+    EXPECT_LT(unlike.confidence.mean(), 0.4);
+    EXPECT_FALSE(unlike.warnings.empty());
+    for (const double factor : {0.1, 10.0}) {
+        TriangleMesh wrong = part.mesh;
+        wrong.vertices *= factor;
+        const PartialResult result = match_partial(wrong, other, known);
+        EXPECT_LT(result.confidence.mean(), 0.4) << factor;
+        EXPECT_FALSE(result.warnings.empty());
+    }
+}
+
+TEST_F(MatchPartial, DoesNotDependOnThreads) {
+    const test::PartOfMesh part = upper();
+    const PartialResult one = match_partial(part.mesh, whole,
+                                            {.same_scale = true, .n_samples = 300, .n_threads = 1}),
+                        three = match_partial(part.mesh, whole,
+                                              {.same_scale = true, .n_samples = 300, .n_threads = 3});
+    EXPECT_EQ(one.target_from_source, three.target_from_source);
+    EXPECT_EQ(one.confidence, three.confidence);
+}
+
+TEST_F(MatchPartial, ReportsProgressAndCancels) {
+    const test::PartOfMesh part = upper();
+    double last = 0;
+    match_partial(part.mesh, whole, {.same_scale = true, .n_samples = 300, .progress = [&](double fraction) {
+                                         EXPECT_GE(fraction, last);
+                                         last = fraction;
+                                         return true;
+                                     }});
+    EXPECT_EQ(last, 1);
+    EXPECT_THROW(match_partial(part.mesh, whole, {.progress = [](double) { return false; }}), Canceled);
+}
+
+TEST_F(MatchPartial, IsTakenByAutomaticForOpenMeshes) {
+    const MatchResult result = match(upper().mesh, other, {.partial = known});
+    EXPECT_EQ(result.method, MatchMethod::partial);
+    ASSERT_TRUE(result.partial);
+    EXPECT_NE(result.reason.find("open"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace counterpart
