@@ -35,8 +35,7 @@ Eigen::Matrix3d local_frame(const std::vector<NearPoint>& points, const Eigen::V
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const NearPoint& p : points)
         if (p.distance < radius) spread += p.area * (radius - p.distance) * p.offset * p.offset.transpose();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(spread);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
     Eigen::Vector3d z = solver.eigenvectors().col(0), x = solver.eigenvectors().col(2);
     if (z.dot(normal) < 0) z = -z;
     double side = 0;

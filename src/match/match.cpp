@@ -220,8 +220,10 @@ class Matching {
             return true;
         } catch (const UnsuitableMesh& error) {
             reason_ += fmt::format("; {}", error.what());
-            return false;
+        } catch (const NumericalError& error) {
+            reason_ += fmt::format("; {}", error.what());
         }
+        return false;
     }
 
     void nearest(NearestAlignment alignment, double begin) {

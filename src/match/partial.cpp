@@ -40,7 +40,7 @@ void require_valid(const PartialOptions& options, MeshView source, MeshView targ
 }
 
 Preprocessed cleaned(MeshView mesh, const std::string& name) {
-    constexpr Index min_vertices = 50;
+    constexpr Index min_vertices = 50, max_vertices = 500000;  // 2 GB of distances
     const double area = surface_area(mesh);
     if (!(area > 0))
         throw UnsuitableMesh(fmt::format("the {} has no area: all its triangles are degenerate", name));
@@ -52,6 +52,11 @@ Preprocessed cleaned(MeshView mesh, const std::string& name) {
             fmt::format("partial matching needs meshes of at least {} vertices, but the {} has {}: too "
                         "few to show a shape; subdivide it first",
                         min_vertices, name, result.mesh.n_vertices()));
+    if (result.mesh.n_vertices() > max_vertices)
+        throw UnsuitableMesh(fmt::format(
+            "partial matching keeps distances from 900 samples to all vertices, too many for the {} of {} "
+            "vertices: simplify it to at most {} first",
+            name, result.mesh.n_vertices(), max_vertices));
     return result;
 }
 

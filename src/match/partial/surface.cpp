@@ -9,6 +9,7 @@
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -98,7 +99,8 @@ Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& l
       normals(vertex_normals(mesh)),
       on_boundary(static_cast<std::size_t>(mesh.n_vertices()), 0),
       samples(landmarks),
-      shot(std::make_shared<descriptor::ShotSurface>(mesh, normals, tuning.spacing)) {
+      shot(std::make_shared<descriptor::ShotSurface>(
+          mesh, normals, std::max(tuning.spacing, std::sqrt(area / tuning.max_points)))) {
     const DistanceGraph graph(mesh);
     for (const auto& [v, w] : boundary_edges(mesh)) {
         on_boundary[static_cast<std::size_t>(v)] = on_boundary[static_cast<std::size_t>(w)] = 1;

@@ -17,6 +17,7 @@ struct SurfaceTuning {
     int samples_ratio = 4;                          ///< samples of the whole for each of the part
     std::array<double, 3> radii{0.06, 0.10, 0.15};  ///< of SHOT; no single one serves all shapes
     double spacing = 0.008;                         ///< of the points that SHOT counts
+    double max_points = 60000;                      ///< about; a part of a wrong scale would have any number
     int n_boundary = 250;  ///< boundary vertices through which lower bounds are taken
 };
 

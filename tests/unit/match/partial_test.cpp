@@ -92,7 +92,7 @@ TEST_F(MatchPartial, MovedRenumberedAndOfUnknownScale) {
     EXPECT_NEAR(result.scale / true_scale, 1, 0.15);
     EXPECT_LT(
         error(compose_maps(disguised.mesh_from_original, result.target_from_source), part.whole_from_part),
-        known + 2);
+        before + 2);
 }
 
 TEST_F(MatchPartial, PartsThatOverlap) {
