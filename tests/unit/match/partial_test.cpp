@@ -110,7 +110,7 @@ TEST_F(MatchPartial, PartsThatOverlap) {
 
 TEST_F(MatchPartial, HolesAreMatchedAround) {
     const test::PartOfMesh part = test::with_holes(whole, 5, 0.12 * length, 3);
-    const PartialResult result = match_partial(part.mesh, other, known);
+    const PartialResult result = match_partial(part.mesh, other, {.same_scale = true, .n_samples = 600});
     EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
 }
 
