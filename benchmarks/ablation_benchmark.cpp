@@ -115,7 +115,7 @@ std::vector<Variant> constants() {
     add(
         "candidates: flipped", 2, [](T & t) -> auto& { return t.candidates.n_flipped; });
     add(
-        "candidates: min difference", 2, [](T & t) -> auto& { return t.candidates.min_difference; });
+        "candidates: min difference", 2, [](T & t) -> auto& { return t.candidates.distinct.mean; });
     add(
         "candidates: kept", 2, [](T & t) -> auto& { return t.candidates.n_kept; });
     add(
@@ -135,9 +135,13 @@ std::vector<Variant> constants() {
     add(
         "selection: final w_r", 3, [](T & t) -> auto& { return t.selection.final_score.rigidity; });
     add(
-        "trial: strain weight", 4, [](T & t) -> auto& { return t.trial.strain_weight; });
+        "trial: relief weight", 4, [](T & t) -> auto& { return t.trial.cues.relief_weight; });
     add(
-        "trial: close score", 4, [](T & t) -> auto& { return t.trial.close_score; });
+        "trial: residual weight", 4, [](T & t) -> auto& { return t.trial.cues.residual_weight; });
+    add(
+        "trial: wring weight", 4, [](T & t) -> auto& { return t.trial.cues.wring_weight; });
+    add(
+        "trial: tried", 4, [](T & t) -> auto& { return t.trial.n_tried; });
     add(
         "refinement: first match size", 5, [](T & t) -> auto& { return t.refinement.first_match_size; });
     add(
@@ -247,15 +251,14 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
         now.seconds += processor_seconds() - start;
         if (is_reference) known = now;
     };
-    take(2, shared.candidates, [&] {
-        const auto& [n, radius] = std::pair(tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
-        now.maps = find_candidates(SampledPair(a, b, n, radius), {}, tuning.candidates);
-    });
+    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
+    take(2, shared.candidates, [&] { now.maps = find_candidates(coarse, tuning.candidates); });
     take(3, shared.selection, [&] {
-        now.maps = select(a, b, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
+        now.maps = select(coarse, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
     });
     take(4, shared.trial, [&] {
-        run_trials(now.maps, SampledPair(a, b, std::max(a.samples.size(), b.samples.size()), 0),
+        run_trials(now.maps,
+                   SampledPair(a, b, std::max(a.samples.size(), b.samples.size()), tuning.trial.cues.radius),
                    tuning.trial);
     });
     if (variant.first_stage < 5)
@@ -263,7 +266,7 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
             if (known.start == now.maps.front().maps.b_from_a)
                 return {known.error, now.seconds + known.seconds};
     const double start = processor_seconds();
-    const std::vector<Index> map = refine(a, b, now.maps.front(), tuning.refinement).maps.b_from_a;
+    const std::vector<Index> map = refine(a, b, now.maps.front(), {}, tuning.refinement).b_from_a;
     const double seconds = processor_seconds() - start;
     const double error = mean_error(source, target, map);
     if (variant.first_stage < 5)

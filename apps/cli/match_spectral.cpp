@@ -6,7 +6,10 @@
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
 
+#include <charconv>
+#include <locale>
 #include <memory>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -29,6 +32,41 @@ Json report_of(const SpectralResult& result) {
             {"warnings", result.warnings}};
 }
 
+Index vertex_number(const std::string& text, const std::string& whole) {
+    Index number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || error != std::errc() || end != text.data() + text.size())
+        throw InvalidInput(fmt::format("--not takes two 0-based vertices, SOURCE:TARGET, not '{}'", whole));
+    return number;
+}
+
+std::pair<Index, Index> excluded_pair(const std::string& text) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string rest = colon < text.size() ? text.substr(colon + 1) : "";
+    return {vertex_number(text.substr(0, colon), text), vertex_number(rest, text)};
+}
+
+// "y", "+y", "-y" or three numbers with commas.
+Eigen::Vector3d direction(const std::string& text, const std::string& option) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    if (text.empty()) return result;
+    const bool has_sign = text[0] == '-' || text[0] == '+';
+    const std::string axis = text.substr(has_sign ? 1 : 0);
+    if (axis == "x" || axis == "y" || axis == "z") {
+        result[axis[0] - 'x'] = text[0] == '-' ? -1 : 1;
+        return result;
+    }
+    std::istringstream numbers(text);
+    numbers.imbue(std::locale::classic());
+    char first = 0, second = 0;
+    numbers >> result[0] >> first >> result[1] >> second >> result[2];
+    if (!numbers || first != ',' || second != ',' || !numbers.eof() || result.isZero(0))
+        throw InvalidInput(fmt::format(
+            "{} takes an axis (x, y, z, -x, -y, -z) or three numbers x,y,z that are not all 0, not '{}'",
+            option, text));
+    return result;
+}
+
 }  // namespace
 
 SpectralOptions SpectralArguments::options_for(const MatchInput& input) const {
@@ -36,6 +74,9 @@ SpectralOptions SpectralArguments::options_for(const MatchInput& input) const {
     result.n_threads = input.common.threads;
     result.progress = input.progress;
     if (!landmarks.empty()) result.landmarks = read_landmarks(landmarks, input.source, input.target);
+    for (const std::string& pair : excluded) result.excluded.push_back(excluded_pair(pair));
+    result.up = direction(up, "--up");
+    result.facing = direction(facing, "--facing");
     return result;
 }
 
@@ -62,10 +103,34 @@ MatchOutcome spectral_outcome(const SpectralArguments& arguments, const Spectral
 MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments) {
     const std::string group = "Options of --method spectral";
     match
-        .add_option(
-            "--landmarks", arguments->landmarks,
-            "Known pairs, one per line: two 0-based vertices or two points (6 coordinates); at least 3 pairs")
+        .add_option("--landmarks", arguments->landmarks,
+                    "Known pairs, one per line: two 0-based vertices or two points (6 coordinates). They "
+                    "hold exactly; "
+                    "one on a limb that went wrong mends the map")
         ->type_name("FILE")
+        ->group(group);
+    match
+        .add_flag("--soft-landmarks", arguments->options.soft_landmarks,
+                  "Let the landmarks only guide the choice of the map")
+        ->group(group);
+    match
+        .add_option("--not", arguments->excluded,
+                    "A pair that does not correspond, SOURCE:TARGET, two 0-based vertices; may be repeated")
+        ->type_name("A:B")
+        ->group(group);
+    match
+        .add_flag("--aligned", arguments->options.aligned,
+                  "Both meshes stand alike: up, front and left are the same directions in both")
+        ->group(group);
+    match
+        .add_option("--up", arguments->up,
+                    "The direction that is up in both meshes: x, y, z, -x, -y, -z or three numbers x,y,z")
+        ->type_name("AXIS")
+        ->group(group);
+    match
+        .add_option("--facing", arguments->facing,
+                    "The direction that both meshes face, as --up, which it needs")
+        ->type_name("AXIS")
         ->group(group);
     match.add_flag("--symmetric", arguments->options.symmetric, "Return the map that swaps left and right")
         ->group(group);

@@ -7,6 +7,8 @@
 #include <counterpart/match/spectral.hpp>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace counterpart::cli {
 
@@ -14,8 +16,10 @@ struct SpectralArguments {
     SpectralOptions options;
     SpectralShapeOptions shape;
     std::filesystem::path landmarks, alternatives;  // files; empty: none
+    std::vector<std::string> excluded;              // "a:b"
+    std::string up, facing;                         // "y", "-z", "0,0.7,0.7"; empty: unknown
 
-    /// With the landmarks read.
+    /// With the landmarks and the other words read.
     SpectralOptions options_for(const MatchInput& input) const;
 };
 

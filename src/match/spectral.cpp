@@ -6,6 +6,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
 
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -28,14 +29,34 @@ void require_valid(const SpectralOptions& options, std::size_t n_source, std::si
     if (options.n_alternatives < 0 || options.n_alternatives > 10)
         throw InvalidInput(
             fmt::format("the number of alternatives must be from 0 to 10, not {}", options.n_alternatives));
-    if (!options.landmarks.empty() && options.landmarks.size() < 3)
-        throw InvalidInput(fmt::format("at least 3 landmarks are needed, not {}", options.landmarks.size()));
-    for (const auto& [s, t] : options.landmarks)
-        if (s < 0 || static_cast<std::size_t>(s) >= n_source || t < 0 ||
-            static_cast<std::size_t>(t) >= n_target)
+    const auto require_in_range = [&](const std::pair<Index, Index>& pair, const char* name) {
+        if (pair.first < 0 || static_cast<std::size_t>(pair.first) >= n_source || pair.second < 0 ||
+            static_cast<std::size_t>(pair.second) >= n_target)
+            throw InvalidInput(fmt::format("{} ({}, {}) is out of range: the meshes have {} and {} vertices",
+                                           name, pair.first, pair.second, n_source, n_target));
+    };
+    std::map<Index, Index> target_of_landmark;
+    for (const auto& pair : options.landmarks) {
+        require_in_range(pair, "landmark");
+        const auto [known, is_new] = target_of_landmark.insert(pair);
+        if (known->second != pair.second)
+            throw InvalidInput(fmt::format(
+                "landmarks contradict each other: source vertex {} is given two targets, {} and {}",
+                pair.first, known->second, pair.second));
+    }
+    for (const auto& pair : options.excluded) {
+        require_in_range(pair, "excluded pair");
+        const auto known = target_of_landmark.find(pair.first);
+        if (known != target_of_landmark.end() && known->second == pair.second)
             throw InvalidInput(
-                fmt::format("landmark ({}, {}) is out of range: the meshes have {} and {} vertices", s, t,
-                            n_source, n_target));
+                fmt::format("the pair ({}, {}) is both a landmark and excluded", pair.first, pair.second));
+    }
+    if (!options.up.allFinite() || !options.facing.allFinite())
+        throw InvalidInput("the directions up and facing must be finite");
+    const bool has_up = !options.up.isZero(0), has_facing = !options.facing.isZero(0);
+    if (has_facing && !has_up) throw InvalidInput("the direction facing needs the direction up");
+    if (has_facing && options.up.normalized().cross(options.facing.normalized()).norm() < 0.1)
+        throw InvalidInput("the directions up and facing must not be parallel");
 }
 
 }  // namespace

@@ -138,6 +138,16 @@ python3 -c "import json; e = json.load(open('report.json'))['errors']['mean_erro
 [ ! -e other_1.txt ] || [ "$(wc -l < other_1.txt)" -eq "$(wc -l < map.txt)" ] || fail "an alternative has another length"
 for i in 5 300 900 1100; do echo "$i $(sed -n $((i + 1))p truth.txt)  # a known pair"; done > pairs.txt
 run match body.off pose.off $fast --landmarks pairs.txt -o marked.txt
+for i in 5 300 900 1100; do
+  [ "$(sed -n $((i + 1))p marked.txt)" = "$(sed -n $((i + 1))p truth.txt)" ] || fail "a landmark does not hold"
+done
+echo "300 7" > one.txt
+run match body.off pose.off $fast --landmarks one.txt --soft-landmarks --not 5:6 --not 0:1 --up y --facing 0,0,1 -o soft.txt
+run match body.off pose.off $fast --aligned -o aligned.txt
+refuse 1 "SOURCE:TARGET" match body.off pose.off $fast --not 5 -o none.txt
+refuse 1 "out of range" match body.off pose.off $fast --not 5:99999999 -o none.txt
+refuse 1 "an axis" match body.off pose.off $fast --up w -o none.txt
+refuse 1 "needs the direction up" match body.off pose.off $fast --facing z -o none.txt
 run match body.off pose.off $fast --seed 5 -o seeded.txt
 run match body.off pose.off $fast --symmetric -o mirrored.txt
 ! cmp -s mirrored.txt map.txt || fail "--symmetric changes nothing"

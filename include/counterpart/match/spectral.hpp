@@ -45,9 +45,19 @@ class SpectralShape {
 };
 
 struct SpectralOptions {
-    /// Known pairs (source vertex, target vertex), from 0; none, or at least 3, which replace the automatic
-    /// search.
+    /// Known pairs (source vertex, target vertex), from 0; one on a limb that was taken for another one mends
+    /// the whole map. They hold exactly in target_from_source, and in source_from_target where no two have
+    /// the same target.
     std::vector<std::pair<Index, Index>> landmarks{};
+    bool soft_landmarks = false;  ///< landmarks guide the choice of the map only
+    /// Pairs that do not correspond: maps that take the source vertex to within 0.15 sqrt(area) of the target
+    /// vertex lose.
+    std::vector<std::pair<Index, Index>> excluded{};
+    /// Both meshes stand in the same frame: what is left, up and in front in one is so in the other, if only
+    /// roughly. Their poses, positions and sizes may differ.
+    bool aligned = false;
+    /// Directions that are the same in both frames, of any length; zero = unknown. `facing` needs `up`.
+    Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();
     bool symmetric = false;  ///< return the orientation-reversing map on purpose: left to right
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
     int n_threads = 0;       ///< 0 = all; does not change the result
@@ -57,7 +67,7 @@ struct SpectralOptions {
 
 /// A runner-up.
 struct SpectralAlternative {
-    VertexMap target_from_source;  ///< every source vertex is matched; not refined
+    VertexMap target_from_source;  ///< every source vertex is matched; refined only briefly
     double score = 0;
     std::string description;  ///< how it differs from the best map: mirrored, turned, another limb
 };
@@ -67,7 +77,7 @@ struct SpectralResult {
     /// Per source vertex, in [0, 1]: above 0.8 is reliable, below 0.2 is not; 0 for vertices that only follow
     /// their nearest one.
     Vector confidence;
-    double score = 0;   ///< of the best map, comparable with those of the alternatives; at most about 1.2
+    double score = 0;   ///< of the best map, comparable with those of the alternatives; at most about 1
     double margin = 0;  ///< over the best runner-up's score; infinite if there is none
     std::vector<SpectralAlternative> alternatives;  ///< best first
     std::vector<std::string> warnings;              ///< sentences: what may be wrong, and what to do

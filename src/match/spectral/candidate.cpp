@@ -50,19 +50,33 @@ double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, doubl
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
 }
 
+std::vector<Index> tips_of_a(const SampledPair& pair) {
+    std::vector<Index> result;
+    for (Eigen::Index e = 0; e < pair.a.extremity_distances.rows(); ++e) {
+        Index nearest = 0;
+        for (Index s = 1; s < pair.points_a.size(); ++s)
+            if (pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(s)]) <
+                pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(nearest)]))
+                nearest = s;
+        result.push_back(nearest);
+    }
+    return result;
+}
+
 void sort_by_score(std::vector<Candidate>& candidates) {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
 }
 
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double min_difference,
-                   std::size_t count) {
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance,
+                   const Distinctness& distinct, std::size_t count) {
     sort_by_score(candidates);
     std::vector<Candidate> kept;
     for (Candidate& candidate : candidates) {
         if (kept.size() == count) break;
         const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-            return distance(candidate.maps, other.maps) >= min_difference;
+            return distance(candidate.maps, other.maps) >= distinct.mean ||
+                   distance.share_beyond(candidate.maps, other.maps, distinct.moved) >= distinct.moved_share;
         });
         if (is_new) kept.push_back(std::move(candidate));
     }

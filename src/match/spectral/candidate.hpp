@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "match/spectral/cues.hpp"
 #include "match/spectral/scores.hpp"
 
 namespace counterpart::spectral_match {
@@ -11,6 +12,8 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
+    PairedMaps on_vertices;  // from its trial refinement; empty before
+    Cues cues;
     bool was_flipped = false;  // its sign flips have been tried
 };
 
@@ -31,10 +34,13 @@ class MapDistance {
     std::vector<Index> nearest_a_, nearest_b_;  // distance sample of each sample
 };
 
+/// The sample of A nearest to each of its extremities.
+std::vector<Index> tips_of_a(const SampledPair& pair);
+
 void sort_by_score(std::vector<Candidate>& candidates);
 
-/// Sorts by score and keeps the best `count` that are at least `min_difference` apart.
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance, double min_difference,
-                   std::size_t count);
+/// Sorts by score and keeps the best `count` that are distinct.
+void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance,
+                   const Distinctness& distinct, std::size_t count);
 
 }  // namespace counterpart::spectral_match

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "match/spectral/extremity_matching.hpp"
 #include "match/spectral/extrinsic_candidates.hpp"
+#include "match/spectral/oriented_fit.hpp"
 
 #include <counterpart/spectral/functional_map.hpp>
 
@@ -13,8 +14,6 @@
 
 namespace counterpart::spectral_match {
 namespace {
-
-using Pairs = std::vector<std::pair<Index, Index>>;
 
 std::vector<int> sizes_between(int first, int last, int step) {
     std::vector<int> sizes;
@@ -66,7 +65,8 @@ class CandidateSearch {
     CandidateSearch(const SampledPair& pair, const CandidateTuning& tuning, const ProgressRange& progress)
         : pair_(pair), tuning_(tuning), progress_(progress), distance_(pair) {}
 
-    void add_from_anchors(const std::vector<Pairs>& anchors);
+    void add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain);
+    void add_reoriented();
     void add_extrinsic();
     void add_flipped();
     std::vector<Candidate> best();
@@ -112,27 +112,52 @@ void CandidateSearch::add_grown(std::vector<Beginning> beginnings) {
                  [&](std::size_t i) { candidates_[n_before + i] = grow(std::move(beginnings[i])); });
 }
 
-// C with C F_B = F_A by least squares over descriptors and heat kernels at the anchors.
-void CandidateSearch::add_from_anchors(const std::vector<Pairs>& anchors) {
+// Functional maps fitted to descriptors and heat kernels at the anchors, each with operators there that tell
+// it from its mirror image, and if `plain` without them too.
+void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain) {
     const PreparedShape &a = pair_.a, &b = pair_.b;
     const int k = std::min({tuning_.first_size, a.basis.size(), b.basis.size()});
     const Eigen::MatrixXd descriptors_a = descriptor_coefficients(a, k, tuning_),
                           descriptors_b = descriptor_coefficients(b, k, tuning_);
-    std::vector<Beginning> beginnings(anchors.size());
+    std::vector<Beginning> beginnings(2 * anchors.size());
     parallel_for(anchors.size(), 1, [&](std::size_t i) {
         std::vector<Index> on_a, on_b;
         for (const auto& [va, vb] : anchors[i]) {
             on_a.push_back(va);
             on_b.push_back(vb);
         }
-        const MatrixF c = fit_functional_map(with_heat_kernels(descriptors_a, a, on_a, tuning_.heat_times),
-                                             a.basis.eigenvalues,
-                                             with_heat_kernels(descriptors_b, b, on_b, tuning_.heat_times),
-                                             b.basis.eigenvalues)
-                              .cast<float>();
-        beginnings[i] = begin({c, c.transpose()});
+        const KnownFunctions known{with_heat_kernels(descriptors_a, a, on_a, tuning_.heat_times),
+                                   with_heat_kernels(descriptors_b, b, on_b, tuning_.heat_times), anchors[i]};
+        const auto start = [&](const Eigen::MatrixXd& map) {
+            const MatrixF c = map.cast<float>();
+            return begin({c, c.transpose()});
+        };
+        if (plain)
+            beginnings[2 * i] =
+                start(fit_functional_map(known.on_a, a.basis.eigenvalues, known.on_b, b.basis.eigenvalues));
+        if (!anchors[i].empty())
+            beginnings[2 * i + 1] =
+                start(fit_oriented(a, b, known, tuning_.orientation_weight, tuning_.orientation_heat_time));
     });
+    std::erase_if(beginnings, [](const Beginning& beginning) { return beginning.size == 0; });
     add_grown(std::move(beginnings));
+}
+
+// A candidate may take the tips of all limbs to the right ones and yet turn half the body round: its tips
+// alone give another start.
+void CandidateSearch::add_reoriented() {
+    const std::vector<Index> tips = tips_of_a(pair_);
+    std::vector<VertexPairs> anchors;
+    for (std::size_t i = 0; i < std::min(candidates_.size(), tuning_.n_reoriented); ++i) {
+        anchors.emplace_back();
+        for (std::size_t e = 0; e < tips.size(); ++e)
+            anchors.back().emplace_back(
+                pair_.a.extremities[e].vertex,
+                pair_.b.samples[static_cast<std::size_t>(
+                    candidates_[i].maps.b_from_a[static_cast<std::size_t>(tips[e])])]);
+    }
+    add_from_anchors(anchors, false);
+    keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
 }
 
 void CandidateSearch::add_extrinsic() {
@@ -187,11 +212,11 @@ std::vector<Beginning> CandidateSearch::unknown(std::vector<Beginning> beginning
 }
 
 void CandidateSearch::add_flipped() {
-    keep_distinct(candidates_, distance_, tuning_.min_difference, candidates_.size());
+    keep_distinct(candidates_, distance_, tuning_.distinct, candidates_.size());
     for (int round = 0; round < tuning_.n_flip_rounds; ++round) {
         progress_.reach(0.2 + 0.8 * round / tuning_.n_flip_rounds);
         add_grown(unknown(flips()));
-        keep_distinct(candidates_, distance_, tuning_.min_difference, tuning_.n_pool);
+        keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
     }
 }
 
@@ -200,31 +225,30 @@ std::vector<Candidate> CandidateSearch::best() {
     return std::move(candidates_);
 }
 
-// Vertices that starts take as corresponding; an empty list means descriptors alone.
-std::vector<Pairs> anchors(const SampledPair& pair, const ExtremityTuning& tuning) {
-    std::vector<Pairs> result;
-    for (const ExtremityMatching& matching : match_extremities(pair.a, pair.b, tuning)) {
-        result.emplace_back();
+// Vertices that starts take as corresponding: landmarks, and in most starts extremities.
+std::vector<VertexPairs> anchors(const SampledPair& pair, const ExtremityTuning& tuning) {
+    VertexPairs landmarks;
+    for (const PriorPair& landmark : pair.priors.landmarks) landmarks.emplace_back(landmark.a, landmark.b);
+    std::vector<VertexPairs> result;
+    for (const ExtremityMatching& matching : match_extremities(pair, tuning)) {
+        result.push_back(landmarks);
         for (const auto& [i, j] : matching.pairs)
             result.back().emplace_back(pair.a.extremities[static_cast<std::size_t>(i)].vertex,
                                        pair.b.extremities[static_cast<std::size_t>(j)].vertex);
     }
-    result.emplace_back();
+    result.push_back(landmarks);
     return result;
 }
 
 }  // namespace
 
-std::vector<Candidate> find_candidates(const SampledPair& pair, const Pairs& landmarks,
-                                       const CandidateTuning& tuning, const ProgressRange& progress) {
+std::vector<Candidate> find_candidates(const SampledPair& pair, const CandidateTuning& tuning,
+                                       const ProgressRange& progress) {
     CandidateSearch search(pair, tuning, progress);
-    if (landmarks.empty()) {
-        search.add_from_anchors(anchors(pair, tuning.extremities));
-        if (tuning.extrinsic.enabled) search.add_extrinsic();
-    } else {
-        search.add_from_anchors({landmarks});
-    }
+    search.add_from_anchors(anchors(pair, tuning.extremities), true);
+    if (tuning.extrinsic.enabled) search.add_extrinsic();
     search.add_flipped();
+    search.add_reoriented();
     return search.best();
 }
 

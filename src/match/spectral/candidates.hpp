@@ -9,10 +9,9 @@
 
 namespace counterpart::spectral_match {
 
-/// Stage 2. Starts from extremities (or `landmarks`: vertices of A and B) and from similar poses, grown by
-/// ZoomOut and varied by sign flips; best first, all different.
-std::vector<Candidate> find_candidates(const SampledPair& pair,
-                                       const std::vector<std::pair<Index, Index>>& landmarks,
-                                       const CandidateTuning& tuning, const ProgressRange& progress = {});
+/// Stage 2. Starts from extremities and landmarks and from similar poses, grown by ZoomOut and varied by sign
+/// flips; best first, all different.
+std::vector<Candidate> find_candidates(const SampledPair& pair, const CandidateTuning& tuning,
+                                       const ProgressRange& progress = {});
 
 }  // namespace counterpart::spectral_match

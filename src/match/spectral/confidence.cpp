@@ -36,12 +36,8 @@ Vector agreement(const SampledPair& pair, const std::vector<Candidate>& candidat
 
 }  // namespace
 
-Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates,
-                  const ConfidenceTuning& tuning) {
-    const PreparedShape &a = pair.a, &b = pair.b;
+Vector round_trips_and_tears(const PreparedShape& a, const PreparedShape& b, const PairedMaps& maps) {
     const Adjacency adjacency(a.mesh);
-    const double whole = trust(candidates.front().scores.total, tuning);
-    const Vector agreeing = agreement(pair, candidates, tuning);
     Vector result(a.mesh.n_vertices());
     for (Index v = 0; v < a.mesh.n_vertices(); ++v) {
         const Index image = maps.b_from_a[static_cast<std::size_t>(v)];
@@ -55,9 +51,20 @@ Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::ve
                     .norm();
             tear = std::max(tear, after - 2 * before);
         }
-        const double doubt = (cycle + tear) / tuning.doubt_length;
+        result[v] = cycle + tear;
+    }
+    return result;
+}
+
+Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates,
+                  const ConfidenceTuning& tuning) {
+    const double whole = trust(candidates.front().scores.total, tuning);
+    const Vector agreeing = agreement(pair, candidates, tuning);
+    Vector result = round_trips_and_tears(pair.a, pair.b, maps);
+    for (Eigen::Index v = 0; v < result.size(); ++v) {
+        const double doubt = result[v] / tuning.doubt_length;
         result[v] =
-            whole * agreeing[a.cell_of_vertex[static_cast<std::size_t>(v)]] * std::exp(-doubt * doubt);
+            whole * agreeing[pair.a.cell_of_vertex[static_cast<std::size_t>(v)]] * std::exp(-doubt * doubt);
     }
     return result;
 }

@@ -26,10 +26,6 @@ class ElasticFit {
     Points operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
                       const ProgressRange& progress = {}, const Vector& trust = {});
 
-    /// What the best similarity of each neighborhood leaves of `now`, relative to its size: 0 = a similarity
-    /// everywhere, at most 1.
-    double strain(PointsView now) const;
-
   private:
     struct System;
     std::unique_ptr<System> system_;

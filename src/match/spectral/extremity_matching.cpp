@@ -23,9 +23,27 @@ double between(const PreparedShape& shape, int i, int j) {
     return shape.extremity_distances(i, shape.extremities[static_cast<std::size_t>(j)].vertex);
 }
 
+// Of matching each extremity of A to each of B: average distances and distances from the landmarks that
+// differ.
+Eigen::MatrixXd own_costs(const SampledPair& pair, const ExtremityTuning& tuning) {
+    const auto &on_a = pair.a.extremities, &on_b = pair.b.extremities;
+    Eigen::MatrixXd costs(on_a.size(), on_b.size());
+    for (Eigen::Index i = 0; i < costs.rows(); ++i) {
+        for (Eigen::Index j = 0; j < costs.cols(); ++j) {
+            const geodesic::Extremity &x = on_a[static_cast<std::size_t>(i)],
+                                      &y = on_b[static_cast<std::size_t>(j)];
+            costs(i, j) = tuning.average_weight * std::abs(x.average_distance - y.average_distance);
+            for (const PriorPair& landmark : pair.priors.landmarks)
+                costs(i, j) +=
+                    tuning.landmark_weight * std::abs(landmark.from_a[x.vertex] - landmark.from_b[y.vertex]);
+        }
+    }
+    return costs;
+}
+
 // Extremities of A in order, each to a free one of B or skipped; the best `beam_width` go on.
 std::vector<Partial> beam_search(const PreparedShape& a, const PreparedShape& b,
-                                 const ExtremityTuning& tuning) {
+                                 const Eigen::MatrixXd& own_costs, const ExtremityTuning& tuning) {
     const auto cheaper = [&](const Partial& x, const Partial& y) {
         const double cost_x = x.cost(tuning.skip_cost), cost_y = y.cost(tuning.skip_cost);
         return cost_x != cost_y ? cost_x < cost_y : x.partner < y.partner;
@@ -47,9 +65,7 @@ std::vector<Partial> beam_search(const PreparedShape& a, const PreparedShape& b,
                     const int l = partial.partner[static_cast<std::size_t>(k)];
                     if (l >= 0) next.pair_cost += std::abs(between(a, i, k) - between(b, j, l));
                 }
-                next.own_cost += tuning.average_weight *
-                                 std::abs(a.extremities[static_cast<std::size_t>(i)].average_distance -
-                                          b.extremities[static_cast<std::size_t>(j)].average_distance);
+                next.own_cost += own_costs(i, j);
                 next.partner.push_back(j);
                 ++next.n_matched;
                 grown.push_back(std::move(next));
@@ -93,8 +109,8 @@ double mean_distance(const PreparedShape& b, const std::vector<int>& map, const 
 
 }  // namespace
 
-std::vector<ExtremityMatching> match_extremities(const PreparedShape& a, const PreparedShape& b,
-                                                 const ExtremityTuning& tuning) {
+std::vector<ExtremityMatching> match_extremities(const SampledPair& pair, const ExtremityTuning& tuning) {
+    const PreparedShape &a = pair.a, &b = pair.b;
     std::vector<ExtremityMatching> all;
     const auto collect = [&](const std::vector<Partial>& beam, bool reversed) {
         for (const Partial& partial : beam) {
@@ -109,8 +125,9 @@ std::vector<ExtremityMatching> match_extremities(const PreparedShape& a, const P
             all.push_back(std::move(matching));
         }
     };
-    collect(beam_search(a, b, tuning), false);
-    collect(beam_search(b, a, tuning), true);
+    const Eigen::MatrixXd costs = own_costs(pair, tuning);
+    collect(beam_search(a, b, costs, tuning), false);
+    collect(beam_search(b, a, costs.transpose(), tuning), true);
     std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) {
         return x.cost != y.cost ? x.cost < y.cost : x.pairs < y.pairs;
     });

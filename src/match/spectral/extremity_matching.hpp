@@ -4,7 +4,7 @@
 // Stage 2a. Which extremity of A is which of B: partial matchings that keep geodesic distances.
 #pragma once
 
-#include "match/spectral/prepared_shape.hpp"
+#include "match/spectral/scores.hpp"
 
 #include <utility>
 #include <vector>
@@ -17,7 +17,6 @@ struct ExtremityMatching {
 };
 
 /// By increasing cost, any two of which mean different maps.
-std::vector<ExtremityMatching> match_extremities(const PreparedShape& a, const PreparedShape& b,
-                                                 const ExtremityTuning& tuning);
+std::vector<ExtremityMatching> match_extremities(const SampledPair& pair, const ExtremityTuning& tuning);
 
 }  // namespace counterpart::spectral_match

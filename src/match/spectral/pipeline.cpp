@@ -5,7 +5,6 @@
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
 #include "match/spectral/refinement.hpp"
-#include "match/spectral/restricted_nearest.hpp"
 #include "match/spectral/selection.hpp"
 #include "match/spectral/trial.hpp"
 #include "match/spectral/warnings.hpp"
@@ -19,15 +18,32 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// The landmarks as vertices of the matched parts.
-std::vector<std::pair<Index, Index>> landmarks_of(const SpectralOptions& options, const Preprocessed& source,
-                                                  const Preprocessed& target) {
-    auto landmarks = options.landmarks;
-    for (auto& [s, t] : landmarks) {
+// Input vertices as vertices of the matched parts.
+VertexPairs matched(VertexPairs pairs, const Preprocessed& source, const Preprocessed& target) {
+    for (auto& [s, t] : pairs) {
         s = source.matched_of_input[static_cast<std::size_t>(s)];
         t = target.matched_of_input[static_cast<std::size_t>(t)];
     }
-    return landmarks;
+    return pairs;
+}
+
+Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
+    if (options.aligned) return Eigen::Matrix3d::Identity();
+    Eigen::Matrix3Xd directions(3, 0);
+    for (const Eigen::Vector3d& direction : {options.up, options.facing}) {
+        if (direction.isZero(0)) continue;
+        directions.conservativeResize(3, directions.cols() + 1);
+        directions.rightCols(1) = direction.normalized();
+    }
+    return directions;
+}
+
+Priors priors_of(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options) {
+    Priors priors = make_priors(source, target, matched(options.landmarks, source.origin, target.origin),
+                                matched(options.excluded, source.origin, target.origin));
+    priors.directions = common_directions(options);
+    priors.pinned = !options.soft_landmarks;
+    return priors;
 }
 
 std::size_t n_samples(const PreparedShape& a, const PreparedShape& b) {
@@ -36,42 +52,40 @@ std::size_t n_samples(const PreparedShape& a, const PreparedShape& b) {
 
 // Stages 2 to 4: maps between all samples, best first.
 std::vector<Candidate> find_finalists(const PreparedShape& source, const PreparedShape& target,
-                                      const SpectralOptions& options, const SpectralTuning& tuning,
-                                      const ProgressRange& progress, Stopwatch& watch) {
-    const SampledPair coarse(source, target, tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
-    std::vector<Candidate> candidates =
-        find_candidates(coarse, landmarks_of(options, source.origin, target.origin), tuning.candidates,
-                        progress.part(0, 0.4));
+                                      const Priors& priors, const SpectralOptions& options,
+                                      const SpectralTuning& tuning, const ProgressRange& progress,
+                                      Stopwatch& watch) {
+    const SampledPair coarse(source, target, tuning.candidates.n_samples, tuning.candidates.rigidity_radius,
+                             priors);
+    std::vector<Candidate> candidates = find_candidates(coarse, tuning.candidates, progress.part(0, 0.3));
     watch.lap("candidates");
     const std::size_t n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
-    candidates =
-        select(source, target, std::move(candidates), std::max(tuning.selection.n_finalists, n_asked),
-               tuning.selection, progress.part(0.4, 0.8));
+    candidates = select(coarse, std::move(candidates), std::max(tuning.selection.n_finalists, n_asked),
+                        tuning.selection, progress.part(0.3, 0.7));
     watch.lap("selection");
-    run_trials(candidates, SampledPair(source, target, n_samples(source, target), 0), tuning.trial,
-               progress.part(0.8, 1));
+    const SampledPair all(source, target, n_samples(source, target), tuning.trial.cues.radius, priors);
+    TrialTuning trial = tuning.trial;
+    trial.n_tried = std::max(trial.n_tried, n_asked);
+    run_trials(candidates, all, trial, progress.part(0.7, 1));
     watch.lap("trial");
     return candidates;
 }
 
-void add_alternatives(SpectralResult& result, const SampledPair& pair,
-                      const std::vector<Candidate>& finalists, int count, const ConfidenceTuning& tuning,
-                      const ProgressRange& progress) {
-    for (std::size_t i = 1; i < finalists.size() && i <= static_cast<std::size_t>(count); ++i) {
-        PairedMaps maps = match_points_nearby(pair.a, pair.b, finalists[i].functional,
-                                              spread(pair.a, pair.b, finalists[i].maps), 1, {}, progress);
-        result.alternatives.push_back({{std::move(maps.b_from_a), pair.b.mesh.n_vertices()},
-                                       finalists[i].scores.total,
-                                       describe(pair, finalists[0], finalists[i], tuning)});
-    }
+void add_alternatives(SpectralResult& result, const SampledPair& pair, std::vector<Candidate> finalists,
+                      int count, const ConfidenceTuning& tuning) {
+    for (std::size_t i = 1; i < finalists.size() && i <= static_cast<std::size_t>(count); ++i)
+        result.alternatives.push_back(
+            {{std::move(finalists[i].on_vertices.b_from_a), pair.b.mesh.n_vertices()},
+             finalists[i].scores.total,
+             describe(pair, finalists[0], finalists[i], tuning)});
 }
 
 // Stages 5 and 6: the best of the finalists on all vertices, and what is to be said about it.
-SpectralResult finish(const PreparedShape& source, const PreparedShape& target,
+SpectralResult finish(const PreparedShape& source, const PreparedShape& target, const Priors& priors,
                       const std::vector<Candidate>& finalists, const SpectralOptions& options,
                       const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch& watch) {
     PairedMaps maps =
-        refine(source, target, finalists.front(), tuning.refinement, progress.part(0, 0.9)).maps;
+        refine(source, target, finalists.front(), priors.pins(), tuning.refinement, progress.part(0, 0.9));
     watch.lap("refinement");
     const SampledPair pair(source, target, n_samples(source, target), 0);
     SpectralResult result;
@@ -80,8 +94,7 @@ SpectralResult finish(const PreparedShape& source, const PreparedShape& target,
                                          : std::numeric_limits<double>::infinity();
     result.confidence = confidence(pair, maps, finalists, tuning.confidence);
     result.warnings = warnings(pair, finalists, tuning.confidence);
-    add_alternatives(result, pair, finalists, options.n_alternatives, tuning.confidence,
-                     progress.part(0.9, 1));
+    add_alternatives(result, pair, finalists, options.n_alternatives, tuning.confidence);
     result.target_from_source = {std::move(maps.b_from_a), target.mesh.n_vertices()};
     result.source_from_target = {std::move(maps.a_from_b), source.mesh.n_vertices()};
     watch.lap("confidence");
@@ -99,6 +112,25 @@ SpectralResult between_inputs(SpectralResult result, const Preprocessed& source,
     return result;
 }
 
+VertexMap with_pairs(const VertexMap& map, const VertexPairs& pairs) {
+    std::vector<Index> image = map.image();
+    for (const auto& [from, to] : pairs) image[static_cast<std::size_t>(from)] = to;
+    return {std::move(image), map.target_size()};
+}
+
+// What was asked to hold does, also where vertices coincide or only follow others.
+void keep_landmarks(SpectralResult& result, const VertexPairs& landmarks) {
+    VertexPairs reversed;
+    for (const auto& [s, t] : landmarks) {
+        reversed.emplace_back(t, s);
+        result.confidence[s] = 1;
+    }
+    result.target_from_source = with_pairs(result.target_from_source, landmarks);
+    result.source_from_target = with_pairs(result.source_from_target, reversed);
+    for (SpectralAlternative& other : result.alternatives)
+        other.target_from_source = with_pairs(other.target_from_source, landmarks);
+}
+
 }  // namespace
 
 SpectralResult match(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
@@ -110,12 +142,13 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     std::optional<PreparedShape> mirror;
     if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
     const PreparedShape* matched = options.symmetric ? &*mirror : &target;
-    std::vector<Candidate> finalists = find_finalists(source, *matched, options, tuning,
+    const Priors priors = priors_of(source, target, options);
+    std::vector<Candidate> finalists = find_finalists(source, *matched, priors, options, tuning,
                                                       progress.part(0, may_be_mirrored ? 0.3 : 0.6), watch);
     std::string warning;
     if (may_be_mirrored) {
         std::vector<Candidate> others =
-            find_finalists(source, *mirror, options, tuning, progress.part(0.3, 0.6), watch);
+            find_finalists(source, *mirror, priors, options, tuning, progress.part(0.3, 0.6), watch);
         const double before = finalists.front().scores.total, after = others.front().scores.total;
         if (after > before + tuning.confidence.min_mirror_gain) {
             warning = fmt::format(
@@ -127,10 +160,12 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
         }
     }
     SpectralResult result =
-        finish(source, *matched, finalists, options, tuning, progress.part(0.6, 1), watch);
+        finish(source, *matched, priors, finalists, options, tuning, progress.part(0.6, 1), watch);
     if (!warning.empty()) result.warnings.push_back(warning);
     result.stages = watch.stages();
-    return between_inputs(std::move(result), source.origin, target.origin);
+    result = between_inputs(std::move(result), source.origin, target.origin);
+    if (!options.soft_landmarks) keep_landmarks(result, options.landmarks);
+    return result;
 }
 
 }  // namespace counterpart::spectral_match

@@ -21,6 +21,7 @@
 #include <numeric>
 #include <span>
 
+#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 namespace counterpart::spectral_match {
@@ -33,10 +34,6 @@ TriangleMesh normalized(MeshView mesh) {
     result.vertices /= std::sqrt(surface_area(mesh));
     return result;
 }
-
-// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
-// unit area.
-constexpr float unreachable = 10;
 
 numerics::MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources,
                               const ProgressRange& progress) {
@@ -126,6 +123,28 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
     return values;
 }
 
+// Both at a finer and a coarser scale: height over the smoothed surface, and the share of the normal that
+// smoothing leaves. By implicit steps of diffusion.
+Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuning) {
+    SparseMatrix system = tuning.relief_time * shape.laplacian.stiffness;
+    for (Eigen::Index v = 0; v < system.cols(); ++v) system.coeffRef(v, v) += shape.laplacian.mass[v];
+    const Eigen::SimplicialLDLT<SparseMatrix> factor(system);
+    if (factor.info() != Eigen::Success) return Eigen::MatrixXd::Zero(system.cols(), 4);
+    Eigen::MatrixXd smoothed(system.cols(), 6), result(system.cols(), 4);
+    smoothed << shape.mesh.vertices, shape.normals;
+    for (int step = 1; step <= tuning.n_relief_steps; ++step) {
+        smoothed = factor.solve(shape.laplacian.mass.asDiagonal() * smoothed).eval();
+        if (step != 1 && step != tuning.n_relief_steps) continue;
+        const Eigen::Index column = step == 1 ? 0 : 2;
+        const auto along_normals = [&](const auto& vectors) {
+            return vectors.cwiseProduct(shape.normals).rowwise().sum();
+        };
+        result.col(column) = along_normals(shape.mesh.vertices - smoothed.leftCols(3));
+        result.col(column + 1) = along_normals(smoothed.rightCols(3));
+    }
+    return result;
+}
+
 }  // namespace
 
 PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning,
@@ -159,6 +178,7 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     const Vector bent = clamped(mean_curvature(shape.mesh, shape.laplacian), tuning.curvature_percentile);
     const auto& times = tuning.curvature_times;
     shape.curvature = ranked(diffuse(bent, shape.basis, {times.begin(), times.end()}), shape.basis.mass);
+    shape.relief = ranked(relief(shape, tuning), shape.basis.mass);
     progress.reach(0.95);
     shape.wave_kernel = wave_kernel_signature(shape.basis);
     progress.reach(0.97);

@@ -37,6 +37,9 @@ struct PreparedShape {
     Points normals;
     /// V x 4: area ranks, in [-0.5, 0.5], of mean curvature at four scales, fine to coarse.
     Eigen::MatrixXd curvature;
+    /// V x 4: area ranks of fine relief, finer than eigenfunctions resolve: how far the surface stands out
+    /// from its smoothed self and how far normals stray there, at two scales.
+    Eigen::MatrixXd relief;
     Eigen::MatrixXd wave_kernel;  // V x 40
     OrientationTensor orientation;
     std::vector<Index> samples;                    // farthest points, in that order
@@ -47,6 +50,9 @@ struct PreparedShape {
 };
 
 constexpr Index min_vertices = 20;
+/// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
+/// unit area.
+constexpr float unreachable = 10;
 
 /// Throws InvalidInput for a mesh that require_valid refuses, without area, or of fewer than `min_vertices`
 /// distinct vertices.

@@ -37,11 +37,21 @@ MatrixF placement(PointsView positions, PointsView normals, const RefinementTuni
     return all;
 }
 
+// Pinned vertices pull like a part of the surface of that area.
+LaplaceBeltrami with_pins(LaplaceBeltrami laplacian, const std::vector<Index>& pinned, double pin_mass) {
+    for (const Index v : pinned) laplacian.mass[v] = std::max(laplacian.mass[v], pin_mass);
+    return laplacian;
+}
+
 // A surface on its way to where the other one is.
 class BentSurface {
   public:
-    BentSurface(const PreparedShape& shape, const PreparedShape& other, const RefinementTuning& tuning)
-        : shape_(shape), other_(other), tuning_(tuning), fit_(shape.mesh.vertices, shape.laplacian, tuning) {}
+    BentSurface(const PreparedShape& shape, const PreparedShape& other, const std::vector<Index>& pinned,
+                const RefinementTuning& tuning)
+        : shape_(shape),
+          other_(other),
+          tuning_(tuning),
+          fit_(shape.mesh.vertices, with_pins(shape.laplacian, pinned, tuning.pin_mass), tuning) {}
 
     void bend(const std::vector<Index>& image, double stiffness_length, const ProgressRange& progress) {
         Points images(shape_.mesh.vertices.rows(), 3);
@@ -55,8 +65,6 @@ class BentSurface {
         const Points normals = vertex_normals({positions_, shape_.mesh.triangles});
         return spectral_match::placement(positions_, normals, tuning_);
     }
-
-    double strain() const { return positions_.rows() > 0 ? fit_.strain(positions_) : 0; }
 
   private:
     const PreparedShape& shape_;
@@ -74,8 +82,8 @@ MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
 
 }  // namespace
 
-Refined refine(const PreparedShape& a, const PreparedShape& b, const Candidate& start,
-               const RefinementTuning& tuning, const ProgressRange& progress) {
+PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidate& start,
+                  const VertexPairs& pins, const RefinementTuning& tuning, const ProgressRange& progress) {
     const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
     const MatrixF features_a = features(a, tuning), features_b = features(b, tuning);
     // Not among all functions: their details would pin dissimilar bodies where isometry put them.
@@ -83,9 +91,15 @@ Refined refine(const PreparedShape& a, const PreparedShape& b, const Candidate& 
         a, b,
         fit_functional_maps(pair.points_a, pair.points_b, start.maps, tuning.first_match_size, tuning.masked),
         spread(a, b, start.maps), tuning.first_rings, {features_a, features_b}, progress);
+    pin(maps, pins);
     const MatrixF own_a = placement(a.mesh.vertices, a.normals, tuning),
                   own_b = placement(b.mesh.vertices, b.normals, tuning);
-    BentSurface bent_a(a, b, tuning), bent_b(b, a, tuning);
+    std::vector<Index> pinned_a, pinned_b;
+    for (const auto& [va, vb] : pins) {
+        pinned_a.push_back(va);
+        pinned_b.push_back(vb);
+    }
+    BentSurface bent_a(a, b, pinned_a, tuning), bent_b(b, a, pinned_b, tuning);
     const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > tuning.huge_mesh;
     const int n_rounds = is_huge ? tuning.n_rounds_if_huge : tuning.n_rounds;
     const Progress checking = [&](double) {
@@ -105,8 +119,9 @@ Refined refine(const PreparedShape& a, const PreparedShape& b, const Candidate& 
                                    {side_by_side(features_a, bent_a.placement(), own_a),
                                     side_by_side(features_b, own_b, bent_b.placement())},
                                    progress);
+        pin(maps, pins);
     }
-    return {std::move(maps), (bent_a.strain() + bent_b.strain()) / 2};
+    return maps;
 }
 
 }  // namespace counterpart::spectral_match

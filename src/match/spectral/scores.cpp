@@ -97,7 +97,7 @@ double frequency_drift(const MatrixF& map, const VectorF& row_frequencies,
 }  // namespace
 
 SampledPair::SampledPair(const PreparedShape& shape_a, const PreparedShape& shape_b, std::size_t n,
-                         double radius)
+                         double radius, const Priors& known)
     : a(shape_a),
       b(shape_b),
       points_a(sampled(shape_a, n)),
@@ -105,7 +105,8 @@ SampledPair::SampledPair(const PreparedShape& shape_a, const PreparedShape& shap
       positions_a(sample_positions(shape_a, points_a.size())),
       positions_b(sample_positions(shape_b, points_b.size())),
       near_a(shape_a, n, radius),
-      near_b(shape_b, n, radius) {}
+      near_b(shape_b, n, radius),
+      priors(known) {}
 
 Neighborhoods::Neighborhoods(const PreparedShape& shape, std::size_t n, double radius) : first{0} {
     n = std::min(n, shape.samples.size());
@@ -137,6 +138,7 @@ Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedF
     scores.total = weights.curvature * scores.curvature + weights.orientation * scores.orientation -
                    weights.orthogonality * std::min(scores.orthogonality, 1.0) -
                    weights.drift * scores.drift - weights.rigidity * scores.rigidity;
+    if (!pair.priors.empty()) scores.total -= disagreement(pair.a, pair.b, pair.priors, maps, {});
     return scores;
 }
 

@@ -4,7 +4,7 @@
 // What tells a right map from a mirrored, half-turned or twisted one. No single score is enough.
 #pragma once
 
-#include "match/spectral/prepared_shape.hpp"
+#include "match/spectral/priors.hpp"
 
 namespace counterpart::spectral_match {
 
@@ -26,8 +26,10 @@ struct SampledPair {
     SpectralPoints points_a, points_b;
     MatrixF positions_a, positions_b;
     Neighborhoods near_a, near_b;
+    const Priors& priors;  // must outlive this
 
-    SampledPair(const PreparedShape& shape_a, const PreparedShape& shape_b, std::size_t n, double radius);
+    SampledPair(const PreparedShape& shape_a, const PreparedShape& shape_b, std::size_t n, double radius,
+                const Priors& known = nothing_known);
 };
 
 /// How well a map keeps what a right map keeps.

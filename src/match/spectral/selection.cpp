@@ -9,25 +9,11 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// The sample of A nearest to each of its extremities.
-std::vector<Index> tips(const SampledPair& pair) {
-    std::vector<Index> result;
-    for (Eigen::Index e = 0; e < pair.a.extremity_distances.rows(); ++e) {
-        Index nearest = 0;
-        for (Index s = 1; s < pair.points_a.size(); ++s)
-            if (pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(s)]) <
-                pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(nearest)]))
-                nearest = s;
-        result.push_back(nearest);
-    }
-    return result;
-}
-
 // Limbs (numbers of extremities of A) that `other` moves among themselves, as seen from `base`.
 std::vector<std::vector<std::size_t>> exchanged_limbs(const SampledPair& pair, const PairedMaps& base,
                                                       const PairedMaps& other, const MapDistance& distance,
                                                       double same_limb) {
-    const std::vector<Index> tip = tips(pair);
+    const std::vector<Index> tip = tips_of_a(pair);
     std::vector<std::size_t> next(tip.size());  // whose place under `base` it takes under `other`
     for (std::size_t e = 0; e < tip.size(); ++e) {
         next[e] = e;
@@ -142,28 +128,34 @@ std::vector<Candidate> crossovers(const SampledPair& pair, const Candidate& base
     return result;
 }
 
-std::vector<Candidate> select(const PreparedShape& a, const PreparedShape& b,
-                              std::vector<Candidate> candidates, std::size_t count,
+std::vector<Candidate> select(const SampledPair& coarse, std::vector<Candidate> candidates, std::size_t count,
                               const SelectionTuning& tuning, const ProgressRange& progress) {
-    const SampledPair middle(a, b, tuning.n_samples, tuning.rigidity_radius),
-        few(a, b, tuning.n_sift_samples, tuning.sift_rigidity_radius);
+    const PreparedShape &a = coarse.a, &b = coarse.b;
+    const Priors& priors = coarse.priors;
+    const SampledPair middle(a, b, tuning.n_samples, tuning.rigidity_radius, priors),
+        few(a, b, tuning.n_sift_samples, tuning.sift_rigidity_radius, priors);
     grow_all(candidates, middle, tuning.sizes, false, tuning.sizes.back(), tuning.score, progress);
     const MapDistance distance(middle);
-    keep_distinct(candidates, distance, tuning.min_difference, std::max(tuning.n_families, count));
+    keep_distinct(candidates, distance, tuning.distinct, std::max(tuning.n_kept, count));
     const std::size_t n_families = std::min(tuning.n_families, candidates.size());
     const std::vector<Candidate> families(candidates.begin(),
                                           candidates.begin() + static_cast<std::ptrdiff_t>(n_families));
-    for (std::size_t i = 0; i < std::min(tuning.n_crossed, candidates.size()); ++i) {
+    // What crossing makes of a map may score better and be worse, so both stay.
+    for (std::size_t i = 0; i < std::min(tuning.n_crossed, n_families); ++i) {
         progress.reach(0.3 + 0.4 * static_cast<double>(i) / static_cast<double>(tuning.n_crossed));
-        candidates[i] = crossed(candidates[i], families, few, middle, tuning, progress);
+        candidates.push_back(crossed(families[i], families, few, middle, tuning, progress));
     }
-    keep_distinct(candidates, distance, tuning.min_difference, count);
+    keep_distinct(candidates, distance, tuning.distinct, std::max(tuning.n_kept, count));
+    while (candidates.size() > tuning.n_least &&
+           candidates.back().scores.total < candidates.front().scores.total - tuning.max_behind)
+        candidates.pop_back();
     progress.reach(0.7);
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_rigidity_radius);
+    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_rigidity_radius,
+                          priors);
     grow_all(candidates, all, tuning.final_sizes, tuning.final_masked, tuning.final_scored_size,
              tuning.final_score, progress);
     // Grown further, some have become the same map.
-    keep_distinct(candidates, MapDistance(all), tuning.min_final_difference, count);
+    keep_distinct(candidates, MapDistance(all), tuning.distinct_finalists, count);
     return candidates;
 }
 

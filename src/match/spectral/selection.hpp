@@ -6,10 +6,9 @@
 
 namespace counterpart::spectral_match {
 
-/// Stage 3. Candidates grown on more and in the end on all samples, the best crossed with the others; best
-/// first, at most `count` and at most as many as differ.
-std::vector<Candidate> select(const PreparedShape& a, const PreparedShape& b,
-                              std::vector<Candidate> candidates, std::size_t count,
+/// Stage 3. The candidates found on `coarse`, grown on more and in the end on all samples, the best crossed
+/// with the others; best first, at most `count` and at most as many as differ.
+std::vector<Candidate> select(const SampledPair& coarse, std::vector<Candidate> candidates, std::size_t count,
                               const SelectionTuning& tuning, const ProgressRange& progress = {});
 
 /// Maps that follow `base` except on the limbs that `other` exchanges, turns or flips, one group of limbs at

@@ -2,40 +2,41 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/trial.hpp"
 
+#include "base/parallel.hpp"
 #include "match/spectral/refinement.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
 
-// How many of the finalists are too close to the best to tell.
-std::size_t count_close(const std::vector<Candidate>& finalists, const MapDistance& distance,
-                        const TrialTuning& tuning) {
-    const Candidate& best = finalists.front();
-    std::size_t count = 1;
-    while (count < std::min(finalists.size(), tuning.n_tried) &&
-           finalists[count].scores.total > best.scores.total - tuning.close_score &&
-           distance.share_beyond(best.maps, finalists[count].maps, tuning.moved) < tuning.max_moved_share)
-        ++count;
-    return count;
+// Near 1 for the same shape in the same pose.
+double total_score(double selection_score, const Cues& cues, const CueTuning& tuning) {
+    const double relief = std::accumulate(cues.relief.begin(), cues.relief.end(), 0.0) /
+                          static_cast<double>(cues.relief.size());
+    return (selection_score + tuning.relief_weight * relief - tuning.residual_weight * cues.residual -
+            tuning.wring_weight * cues.wring) /
+           (1 + tuning.relief_weight);
 }
 
 }  // namespace
 
 void run_trials(std::vector<Candidate>& finalists, const SampledPair& all, const TrialTuning& tuning,
                 const ProgressRange& progress) {
-    const std::size_t count = count_close(finalists, MapDistance(all), tuning);
-    if (count < 2) return;
-    std::vector<double> strains(count);
-    for (std::size_t i = 0; i < count; ++i)
-        strains[i] =
-            std::max(refine(all.a, all.b, finalists[i], tuning.refinement, progress.step(i, count)).strain,
-                     tuning.min_strain);
-    const double least = *std::min_element(strains.begin(), strains.end());
-    for (std::size_t i = 0; i < count; ++i)
-        finalists[i].scores.total -= tuning.strain_weight * std::log(strains[i] / least);
+    finalists.resize(std::min(finalists.size(), tuning.n_tried));
+    const VertexPairs pins = all.priors.pins();
+    const double least = finalists.empty() ? 0 : finalists.front().scores.total - tuning.close_score;
+    RefinementTuning none = tuning.refinement;
+    none.n_rounds = none.n_rounds_if_huge = 0;
+    parallel_for(finalists.size(), 1, [&](std::size_t i) {
+        Candidate& finalist = finalists[i];
+        const bool is_close = finalist.scores.total >= least;
+        finalist.on_vertices =
+            refine(all.a, all.b, finalist, pins, is_close ? tuning.refinement : none, progress);
+        finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
+        finalist.scores.total = total_score(finalist.scores.total, finalist.cues, tuning.cues);
+    });
     sort_by_score(finalists);
 }
 

@@ -6,9 +6,9 @@
 
 namespace counterpart::spectral_match {
 
-/// Stage 4. Where the scores of finalists (best first, between all samples) are too close to tell and the
-/// maps differ in a limb, each is refined briefly: the wrong map strains the surfaces more, and loses score
-/// by it. A half-turned body is hardly strained, so maps that differ as a whole are left to their scores.
+/// Stage 4. The best finalists, between all samples, are refined briefly (`on_vertices`) and sorted by a
+/// total score in which fine relief, similarity of neighborhoods and wringing count too: before they are
+/// refined, a half-turned body fits as well as the right one. `all` has neighborhoods of CueTuning::radius.
 void run_trials(std::vector<Candidate>& finalists, const SampledPair& all, const TrialTuning& tuning,
                 const ProgressRange& progress = {});
 

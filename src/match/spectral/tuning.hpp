@@ -23,6 +23,10 @@ struct PreparationTuning {
     /// Diffusion times of mean curvature, fine to coarse.
     std::array<double, 4> curvature_times{0.0005, 0.001, 0.003, 0.01};
     int curvature_percentile = 95;  ///< magnitudes above are clamped, so that spikes do not outweigh the rest
+    /// Of one step of smoothing, for fine relief. A disk of radius r averages like 8 t = r^2: 0.05 and, after
+    /// `n_relief_steps`, 0.1, the best of the radii from 0.025 to 0.2.
+    double relief_time = 0.0003;
+    int n_relief_steps = 4;
     /// Above this many vertices eigenfunctions are sought in a subspace of local functions, which keeps this
     /// stage at 7 s of one core for 100 000 vertices.
     Index large_mesh = 20000;
@@ -32,12 +36,29 @@ struct PreparationTuning {
     double local_radius = 3;
 };
 
+/// How far apart two maps must be to count as two: on average, or in a limb. Exchanged hind legs move the
+/// mean by 0.06 only: by the mean alone the right map of a horse to a cow was merged into the wrong one.
+struct Distinctness {
+    double mean;             ///< distance
+    double moved_share = 1;  ///< of the samples, that are moved; 1 = the mean alone tells
+    double moved = 0.2;      ///< a sample whose images are farther apart than this has moved
+};
+
+/// What a person says about the map, against the other scores, which are about 1. Large, because it is known.
+struct PriorTuning {
+    double weight = 10;             ///< of a distance between a landmark and its image
+    double slack = 0.1;             ///< of that distance, which coarse maps cannot help
+    double excluded_radius = 0.15;  ///< images this near to an excluded vertex are on the wrong limb
+    double direction_weight = 1.5;  ///< of the correlation of coordinates along common directions
+};
+
 /// Stage 2a, partial matchings of extremities that keep geodesic distances.
 struct ExtremityTuning {
     std::size_t n_matchings = 24;   ///< starts; 0 = only that from descriptors alone
     std::size_t beam_width = 2000;  ///< partial matchings kept while the next extremity is assigned
     std::size_t min_pairs = 3;      ///< fewer fix no map
     double average_weight = 0.5;    ///< of a difference in average distance against one in pairwise distance
+    double landmark_weight = 2;     ///< likewise of one in the distance from a landmark
     double skip_cost = 0.25;        ///< of an extremity without a partner, as a distance
     double min_difference = 0.08;   ///< mean distance between the maps that two kept matchings mean
 };
@@ -67,13 +88,17 @@ struct CandidateTuning {
     double wave_kernel_weight = 0.2;  ///< of each column, against 1 for a heat kernel at an extremity
     double curvature_weight = 0.3;    ///< likewise
     std::vector<double> heat_times{0.005, 0.02, 0.06};
+    /// Of the operators at extremities that tell a map from its mirror image; 0.01 to 1 do about the same.
+    double orientation_weight = 0.1;
+    double orientation_heat_time = 0.06;
+    std::size_t n_reoriented = 8;       ///< candidates whose tips give another start; 0 = none
     int last_size = 30, size_step = 5;  ///< eigenfunctions that candidates are grown to by ZoomOut
     ScoreWeights score{2, 0.15, 2.5, 0, 0.7};
     int n_flip_rounds = 2;               ///< rounds in which low columns of the best are negated; 0 = never
     std::size_t n_flipped = 24;          ///< candidates varied per round
     int first_flip = 5, last_flip = 17;  ///< columns, one at a time
     double min_new_difference = 0.03;    ///< flips that begin closer than this to an earlier one are dropped
-    double min_difference = 0.05;        ///< mean distance between two candidates
+    Distinctness distinct{.mean = 0.05};
     std::size_t n_pool = 60, n_kept = 24;  ///< candidates between the rounds, and at the end
 };
 
@@ -84,8 +109,9 @@ struct SelectionTuning {
     double rigidity_radius = 0.2;
     std::vector<int> sizes{40, 50, 60, 80};
     ScoreWeights score{1, 0.25, 0, 10, 2};
-    std::size_t n_families = 8;    ///< kept, and the partners that the best are crossed with
-    double min_difference = 0.08;  ///< mean distance between two of them
+    std::size_t n_kept = 14;     ///< of all
+    std::size_t n_families = 8;  ///< the best of them, partners that the best are crossed with
+    Distinctness distinct{.mean = 0.08, .moved_share = 0.05};
     // 3b: crossover.
     std::size_t n_crossed = 3;  ///< the best that are crossed; 0 = none
     int n_crossover_rounds = 3;
@@ -97,14 +123,16 @@ struct SelectionTuning {
     std::array<float, 2> limb_radii{0.3F, 0.6F};  ///< around a tip, the part that is exchanged
     int splice_size = 30;                         ///< eigenfunctions of a child's first functional map
     double min_child_difference = 0.01;  ///< between a child and its parent, and between two children
+    double max_behind = 0.3;             ///< the best; those farther behind are not grown on,
+    std::size_t n_least = 4;             ///< except so many, to be reported as runners-up
     // 3c: the finalists on all samples.
     double final_rigidity_radius = 0.15;
     std::vector<int> final_sizes{95, 110, 130, 150};
     int final_scored_size = 100;  ///< functions that scores are taken on
     bool final_masked = true;     ///< damp entries between far frequencies (Hu et al. 2021)
     ScoreWeights final_score{0, 0.25, 0, 10, 2};
-    std::size_t n_finalists = 5;
-    double min_final_difference = 0.05;
+    std::size_t n_finalists = 8;
+    Distinctness distinct_finalists{.mean = 0.05, .moved_share = 0.05};
 };
 
 /// Stage 5, refinement on all vertices. Weights are relative to the spectral coordinates. The rounds go from
@@ -120,36 +148,43 @@ struct RefinementTuning {
     double first_length = 0.3, last_length = 0.06;  ///< the fits keep shapes below this size
     double min_scale = 0.3, max_scale = 3;  ///< of a neighborhood in the fits, so that nothing vanishes
     int n_iterations = 16;                  ///< of an elastic fit
+    double pin_mass = 0.005;         ///< share of the area that a pinned vertex pulls like, in the fits
     int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
     int n_rounds = 8;                ///< 0 = spectral coordinates and features alone
     Index huge_mesh = 60000;         ///< above this many vertices there are fewer rounds
     int n_rounds_if_huge = 2;
 };
 
-/// Stage 4, trial refinement of finalists whose scores are close.
+/// What tells refined maps apart, and how much it counts beside the score of the selection.
+struct CueTuning {
+    double radius = 0.15;                     ///< of the neighborhoods that are fitted by similarities
+    double wring_from = 0.1, wring_to = 0.3;  ///< between neighborhoods whose rotations are compared
+    double wring_quantile = 0.9;
+    double relief_weight = 6, residual_weight = 2, wring_weight = 0.06;
+};
+
+/// Stage 4, trial refinement of the finalists.
 struct TrialTuning {
-    std::size_t n_tried = 3;       ///< at most; 1 = no trial
-    double close_score = 0.05;     ///< behind the best, to be tried
-    double moved = 0.2;            ///< a sample whose images are farther apart than this has moved
-    double max_moved_share = 0.5;  ///< maps that move more than this of the samples are not tried
-    double strain_weight = 0.2;    ///< of the logarithm of the strain, taken off the score
-    double min_strain = 1e-4;      ///< smaller strains count as this
+    std::size_t n_tried = 8;    ///< at most
+    double close_score = 0.15;  ///< those farther behind in the selection are matched but not refined
+    CueTuning cues;
     RefinementTuning refinement{
         .last_size = 80, .last_length = 0.1, .n_iterations = 8, .n_rounds = 3, .n_rounds_if_huge = 1};
 };
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
-    double half_score = 0.3;       ///< at which a map is trusted by half: right maps of people score 0.8 to
-                                   ///< 1.2, wrong ones of unlike animals below 0.3
-    double score_width = 0.1;      ///< of the logistic curve around it
-    double temperature = 0.03;     ///< difference of scores at which a runner-up counts 1 / e
-    double same_place = 0.15;      ///< images closer than this agree
-    double doubt_length = 0.08;    ///< of a round trip plus tear, at which confidence falls to 1 / e
-    double poor_score = 0.2;       ///< below it a warning
-    double close_margin = 0.05;    ///< between the two best scores, below it a warning
-    double min_mirror_gain = 0.1;  ///< the mirror image of an inside-out mesh must score better by this
-    double moved = 0.2;            ///< a sample whose images are farther apart than this has moved
+    // Fitted by scripts/fit_choice.py; doubtful rather than sure, where maps of unlike animals are concerned.
+    double half_score = 0.6;  ///< at which a map is trusted by half: right maps of people score 0.83 to 0.98,
+                              ///< of unlike animals 0.35 to 0.6, wrong ones of man and gorilla up to 0.5
+    double score_width = 0.07;  ///< of the logistic curve around it, 0.03 to 0.1 tried
+    double temperature = 0.02;  ///< difference of scores at which a runner-up counts 1 / e, 0.02 to 0.1 tried
+    double same_place = 0.15;   ///< images closer than this agree
+    double doubt_length = 0.1;  ///< of a round trip plus tear, at which confidence falls to 1 / e
+    double poor_score = 0.35;   ///< below it a warning
+    double close_margin = 0.03;     ///< between the two best scores, below it a warning
+    double min_mirror_gain = 0.03;  ///< the mirror image of an inside-out mesh must score better by this
+    double moved = 0.2;             ///< a sample whose images are farther apart than this has moved
     double limb_share = 0.02,
            turn_share = 0.6;      ///< of samples moved: below, a shift; above, another limb, a turn
     Index many_components = 100;  ///< from here on the mesh is called disconnected fragments
@@ -158,6 +193,7 @@ struct ConfidenceTuning {
 
 struct SpectralTuning {
     PreparationTuning preparation;
+    PriorTuning priors;
     CandidateTuning candidates;
     SelectionTuning selection;
     TrialTuning trial;

@@ -57,8 +57,13 @@ TEST(MatchSpectral, RefusesBadInput) {
     EXPECT_THROW(match_spectral(sphere, make_icosphere(0)), InvalidInput);  // 12 vertices
     EXPECT_THROW(match_spectral(sphere, sphere, {}, {.basis_size = 10}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {}, {.n_samples = 10}), InvalidInput);
-    EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{0, 0}}}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{0, 0}, {1, 1}, {2, 9999}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{0, 0}, {0, 1}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.excluded = {{-1, 0}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.landmarks = {{3, 4}}, .excluded = {{3, 4}}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.facing = {0, 0, 1}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.up = {0, 0, 1}, .facing = {0, 0, -2}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.up = {0, 0, NAN}}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {.n_alternatives = -1}), InvalidInput);
 }
 
@@ -82,12 +87,68 @@ TEST(MatchSpectral, SameForAnyNumberOfThreads) {
     EXPECT_EQ(one.confidence, two.confidence);
 }
 
-TEST(MatchSpectral, LandmarksReplaceTheSearch) {
-    const TriangleMesh source = bumpy_sphere(3);
-    std::vector<std::pair<Index, Index>> landmarks;
-    for (const Index v : {0, 5, 50, 99, 200, 333}) landmarks.emplace_back(v, v);
-    const SpectralResult result = match_spectral(source, moved(source, 1), {.landmarks = landmarks}, small);
+// Four equal spikes: turned by a quarter about z it looks the same.
+TriangleMesh cross() {
+    TriangleMesh mesh = make_icosphere(3);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        const double x = mesh.vertices(v, 0), y = mesh.vertices(v, 1);
+        const double radius =
+            1 + 2 * std::exp(-10 * (1 - std::abs(x))) + 2 * std::exp(-10 * (1 - std::abs(y)));
+        mesh.vertices.row(v) *= radius;
+        mesh.vertices(v, 2) = mesh.vertices(v, 2) > 0 ? 1.5 * mesh.vertices(v, 2) : mesh.vertices(v, 2);
+    }
+    return mesh;
+}
+
+Index vertex_farthest_along(const TriangleMesh& mesh, const Eigen::Vector3d& direction) {
+    Eigen::Index farthest = 0;
+    (mesh.vertices * direction).maxCoeff(&farthest);
+    return static_cast<Index>(farthest);
+}
+
+TEST(MatchSpectral, OneLandmarkTurnsASymmetricMapAndHoldsExactly) {
+    const TriangleMesh mesh = cross();
+    const Index tip = vertex_farthest_along(mesh, {1, 0, 0});
+    for (const Eigen::Vector3d& direction :
+         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0)}) {
+        const Index wanted = vertex_farthest_along(mesh, direction);
+        const SpectralResult result = match_spectral(mesh, mesh, {.landmarks = {{tip, wanted}}}, small);
+        EXPECT_EQ(result.target_from_source[tip], wanted);
+        EXPECT_EQ(result.source_from_target[wanted], tip);
+        EXPECT_EQ(result.confidence[tip], 1);
+        // The opposite spike goes to the opposite one.
+        const Index opposite = vertex_farthest_along(mesh, {-1, 0, 0});
+        EXPECT_GT(mesh.vertices.row(result.target_from_source[opposite]).dot(-direction.transpose()), 1.5);
+    }
+}
+
+TEST(MatchSpectral, AnExcludedPairIsAvoided) {
+    const TriangleMesh mesh = cross();
+    const Index tip = vertex_farthest_along(mesh, {1, 0, 0});
+    const SpectralResult result = match_spectral(mesh, mesh, {.excluded = {{tip, tip}}}, small);
+    EXPECT_LT(mesh.vertices(result.target_from_source[tip], 0), 1.5);
+}
+
+TEST(MatchSpectral, AlignedShapesKeepTheirFrame) {
+    const TriangleMesh mesh = cross();
+    for (const SpectralOptions& options :
+         {SpectralOptions{.aligned = true}, SpectralOptions{.up = {0, 0, 1}, .facing = {1, 0, 0}}}) {
+        const SpectralResult result = match_spectral(mesh, mesh, options, small);
+        EXPECT_LT(mean_error(result.target_from_source, identity_map(mesh.n_vertices()), mesh), 2.0);
+    }
+}
+
+TEST(MatchSpectral, ManyLandmarksHoldUnlessSoft) {
+    const TriangleMesh source = bumpy_sphere(3), target = moved(source, 1);
+    SpectralOptions options;
+    for (const Index v : {0, 5, 50, 99, 200, 333}) options.landmarks.emplace_back(v, v);
+    options.landmarks.emplace_back(400, 401);  // not quite right
+    const SpectralResult result = match_spectral(source, target, options, small);
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
+    for (const auto& [s, t] : options.landmarks) EXPECT_EQ(result.target_from_source[s], t);
+    options.soft_landmarks = true;
+    const SpectralResult soft = match_spectral(source, target, options, small);
+    EXPECT_LT(mean_error(soft.target_from_source, identity_map(source.n_vertices()), source), 2.0);
 }
 
 TEST(MatchSpectral, InsideOutIsSaidAndMatched) {

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Choosing between candidates: every finalist's true error and every cue, the chosen one against the best.
+//
+//     candidates FOLDER PAIRS RESULTS.jsonl
+//
+// FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
+// not run again. Finalists come best first, so that the first one is the choice; their errors are those after
+// the trial refinement, that of the choice also after the full one ("mean_error"). Errors are geodesic at
+// every 8th point, times 100 / sqrt(target area). Two pairs run at a time, on one thread each. The last line
+// on stdout: pairs, mean error of the chosen, of the best finalist, and how many are above 6.
+#include "base/parallel.hpp"
+#include "match/spectral/candidates.hpp"
+#include "match/spectral/confidence.hpp"
+#include "match/spectral/prepared_shape.hpp"
+#include "match/spectral/refinement.hpp"
+#include "match/spectral/selection.hpp"
+#include "match/spectral/trial.hpp"
+
+#include <counterpart/geodesic/distances.hpp>
+#include <counterpart/io/map_file.hpp>
+#include <counterpart/io/mesh_file.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+namespace counterpart::spectral_match {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Pair = std::pair<std::string, std::string>;
+namespace fs = std::filesystem;
+
+// A mesh, prepared once, with its points of known meaning.
+struct Known {
+    TriangleMesh mesh;
+    PreparedShape shape;
+    VertexMap points;
+
+    Known(const fs::path& folder, const std::string& name)
+        : mesh(read_mesh(folder / (name + ".off")).mesh),
+          shape(prepare(mesh, {})),
+          points(read_vertex_map(folder / "corres" / (name + ".vts"), IndexBase::one)) {}
+
+    Index matched_point(Index k) const {
+        return shape.origin.matched_of_input[static_cast<std::size_t>(points[k])];
+    }
+};
+
+constexpr Index step = 8;  // of the known points
+
+struct MapErrors {
+    std::vector<double> means;  // of each map
+    Vector of_first;            // of the first map at each point
+};
+
+// Of several maps at once: distances from one point to all its images cost one search.
+MapErrors errors_of(const Known& source, const Known& target,
+                    const std::vector<const std::vector<Index>*>& maps) {
+    std::vector<std::pair<Index, Index>> ends;
+    for (Index k = 0; k < source.points.source_size(); k += step)
+        for (const std::vector<Index>* map : maps)
+            ends.emplace_back(target.points[k],
+                              target.shape.origin.input_of_matched[static_cast<std::size_t>(
+                                  (*map)[static_cast<std::size_t>(source.matched_point(k))])]);
+    const Vector distances = pair_distances(DistanceGraph(target.mesh), ends, {.n_threads = 1}) * 100 /
+                             std::sqrt(surface_area(target.mesh));
+    const auto n = static_cast<Eigen::Index>(maps.size());
+    MapErrors errors{{}, distances(Eigen::seq(0, Eigen::last, n))};
+    for (Eigen::Index m = 0; m < n; ++m)
+        errors.means.push_back(distances(Eigen::seq(m, Eigen::last, n)).mean());
+    return errors;
+}
+
+// What confidence is made of, at every 4th of these points: the error, the round trip plus tear, and which
+// finalists (from the second on) take it elsewhere.
+Json evidence(const Known& source, const SampledPair& all, const std::vector<Candidate>& finalists,
+              const PairedMaps& refined, const Vector& errors) {
+    const Vector doubts = round_trips_and_tears(all.a, all.b, refined);
+    const MapDistance distance(all);
+    Json lines = Json::array();
+    for (Eigen::Index i = 0; i < errors.size(); i += 4) {
+        const Index v = source.matched_point(static_cast<Index>(i) * step);
+        const auto s = static_cast<std::size_t>(all.a.cell_of_vertex[static_cast<std::size_t>(v)]);
+        Json apart = Json::array();
+        for (std::size_t c = 1; c < finalists.size(); ++c)
+            apart.push_back(std::round(1000 * distance.on_b(finalists[c].maps.b_from_a[s],
+                                                            finalists[0].maps.b_from_a[s])) /
+                            1000);
+        lines.push_back({std::round(100 * errors[i]) / 100, std::round(1e4 * doubts[v]) / 1e4, apart});
+    }
+    return lines;
+}
+
+// Of this thread: other programs on the machine do not count.
+double processor_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Json measure(const Pair& pair, const Known& source, const Known& target) {
+    const SpectralTuning tuning;
+    const PreparedShape &a = source.shape, &b = target.shape;
+    const double start = processor_seconds();
+    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
+    std::vector<Candidate> finalists = select(coarse, find_candidates(coarse, tuning.candidates),
+                                              tuning.selection.n_finalists, tuning.selection);
+    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.trial.cues.radius);
+    run_trials(finalists, all, tuning.trial);
+    const PairedMaps refined = refine(a, b, finalists.front(), {}, tuning.refinement);
+    const double seconds = processor_seconds() - start;
+    std::vector<const std::vector<Index>*> maps{&refined.b_from_a};
+    for (const Candidate& finalist : finalists) maps.push_back(&finalist.on_vertices.b_from_a);
+    const MapErrors found = errors_of(source, target, maps);
+    const std::vector<double>& errors = found.means;
+    Json list = Json::array();
+    for (std::size_t i = 0; i < finalists.size(); ++i) {
+        const auto& [scores, cues] = std::tie(finalists[i].scores, finalists[i].cues);
+        list.push_back({{"mean_error", errors[i + 1]},
+                        {"total", scores.total},
+                        {"curvature", scores.curvature},
+                        {"orientation", scores.orientation},
+                        {"rigidity", scores.rigidity},
+                        {"orthogonality", scores.orthogonality},
+                        {"drift", scores.drift},
+                        {"relief", cues.relief},
+                        {"residual", cues.residual},
+                        {"wring", cues.wring}});
+    }
+    return {
+        {"source", pair.first},    {"target", pair.second},
+        {"mean_error", errors[0]}, {"seconds", seconds},
+        {"finalists", list},       {"vertices", evidence(source, all, finalists, refined, found.of_first)}};
+}
+
+std::vector<Pair> list_pairs(const fs::path& file) {
+    std::ifstream input(file);
+    std::vector<Pair> pairs;
+    for (std::string a, b; input >> a >> b;) pairs.emplace_back(a, b);
+    return pairs;
+}
+
+void run(const fs::path& folder, const fs::path& list, const fs::path& results) {
+    std::vector<Json> lines;
+    std::set<Pair> done;
+    std::ifstream earlier(results);
+    for (std::string text; std::getline(earlier, text);) {
+        lines.push_back(Json::parse(text));
+        done.emplace(lines.back()["source"].get<std::string>(), lines.back()["target"].get<std::string>());
+    }
+    std::vector<Pair> pairs = list_pairs(list);
+    std::erase_if(pairs, [&](const Pair& pair) { return done.contains(pair); });
+    std::map<std::string, std::unique_ptr<Known>> known;
+    std::mutex mutex, output_mutex;
+    const auto get = [&](const std::string& name) -> const Known& {
+        const std::lock_guard lock(mutex);
+        auto& entry = known[name];
+        if (!entry) entry = std::make_unique<Known>(folder, name);
+        return *entry;
+    };
+    std::ofstream output(results, std::ios::app);
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < pairs.size(); i = next++) {
+            Json line = counterpart::with_threads(
+                1, [&] { return measure(pairs[i], get(pairs[i].first), get(pairs[i].second)); });
+            const std::lock_guard lock(output_mutex);
+            output << line.dump() << std::endl;
+            lines.push_back(std::move(line));
+        }
+    };
+    std::thread second(work);
+    work();
+    second.join();
+    double chosen = 0, best = 0;
+    int wrong = 0;
+    for (const Json& line : lines) {
+        double least = 1e9;
+        for (const Json& finalist : line["finalists"])
+            least = std::min(least, finalist["mean_error"].get<double>());
+        chosen += line["mean_error"].get<double>();
+        best += least;
+        if (line["mean_error"] > 6) ++wrong;
+    }
+    const auto n = static_cast<double>(lines.size());
+    std::printf(
+        "{\"summary\":\"%s\",\"pairs\":%zu,\"mean_error\":%.3f,\"best_finalist\":%.3f,\"pairs_above_6\":%d}"
+        "\n",
+        folder.c_str(), lines.size(), chosen / n, best / n, wrong);
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
+
+int main(int argc, char** argv) {
+    if (argc < 4) {
+        std::fputs("usage: candidates FOLDER PAIRS RESULTS.jsonl\n", stderr);
+        return 2;
+    }
+    try {
+        counterpart::spectral_match::run(argv[1], argv[2], argv[3]);
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "error: %s\n", error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Fits the weights with which finalists are ranked, and the constants of confidence.
+
+    fit_choice.py RESULTS.jsonl... [--left-out WORD,WORD...]
+
+RESULTS are of benchmarks/candidates. Pairs whose names contain one of the words (default: hippo, gorilla, centaur,
+cat) are left out of the fit and reported apart. A finalist is right if its error is below 1.5 times the best one's
+plus 1, wrong above twice the best one's plus 4. Weights minimize the logistic loss over all right and wrong finalists
+of a pair, each pair counting 1, none below 0; the weight of the selection's score is 1. Needs NumPy. Nothing is
+random.
+"""
+import argparse
+import json
+
+import numpy as np
+
+PARTS = ["relief", "residual", "wring"]
+
+
+def selection_score(f):
+    """Score of the selection: SelectionTuning::final_score."""
+    return f["curvature"] + 0.25 * f["orientation"] - 10 * f["drift"] - 2 * f["rigidity"]
+
+
+def features(f):
+    return np.array([selection_score(f), np.mean(f["relief"]), -f["residual"], -f["wring"]])
+
+
+def load(files):
+    pairs = []
+    for file in files:
+        for line in open(file):
+            pair = json.loads(line)
+            pair["errors"] = np.array([f["mean_error"] for f in pair["finalists"]])
+            pair["features"] = np.array([features(f) for f in pair["finalists"]])
+            pairs.append(pair)
+    return pairs
+
+
+def differences(pair):
+    best = pair["errors"].min()
+    right = pair["errors"] < 1.5 * best + 1
+    wrong = pair["errors"] > 2 * best + 4
+    return (pair["features"][right][:, None] - pair["features"][wrong][None]).reshape(-1, 4)
+
+
+def fit_weights(pairs, ridge=0.01, n_steps=20000):
+    """Projected gradient descent in units of each feature's spread."""
+    groups = [d for d in map(differences, pairs) if len(d)]
+    spread = np.sqrt(np.mean([np.mean(d**2, axis=0) for d in groups], axis=0))
+    w = np.ones(4)
+    for _ in range(n_steps):
+        gradient = 2 * ridge * w
+        for d in groups:
+            x = d / spread
+            gradient = gradient - (x / (1 + np.exp(np.clip(x @ w, -30, 30)))[:, None]).mean(axis=0) / len(groups)
+        w = np.maximum(w - 0.3 * gradient, 0)
+    return w / spread / max(w[0] / spread[0], 1e-9)
+
+
+def report(name, pairs, w):
+    if not pairs:
+        return
+    chosen = [p["errors"][np.argmax(p["features"] @ w)] for p in pairs]
+    best = [p["errors"].min() for p in pairs]
+    right = sum(c < 1.5 * b + 1 for c, b in zip(chosen, best))
+    print(f"{name:28} {right:3d} of {len(pairs):3d} right, mean error {np.mean(chosen):6.2f}, best finalists {np.mean(best):6.2f}")
+
+
+def totals(pair, w):
+    """Of the finalists in the program's order, as TrialTuning has them."""
+    return pair["features"] @ w / (1 + w[1])
+
+
+def confidence_of(pairs, w, half, width, temperature, length):
+    """A list of (confidence of each point, whether the point lies within 5 % of sqrt(area)), one for each pair."""
+    result = []
+    for p in pairs:
+        total = totals(p, w)
+        whole = 1 / (1 + np.exp(-(total[0] - half) / width))
+        weights = np.exp((total - total[0]) / temperature)
+        errors = np.array([v[0] for v in p["vertices"]])
+        doubts = np.array([v[1] for v in p["vertices"]])
+        agrees = np.array([[True] + [x < 0.15 for x in v[2]] for v in p["vertices"]])
+        sure = whole * (agrees @ weights) / weights.sum() * np.exp(-((doubts / length) ** 2))
+        result.append((sure, errors < 5))
+    return result
+
+
+def calibration_error(found, n_bins=10):
+    """Expected calibration error: mean gap between confidence and the share of good points, over bins."""
+    sure, good = (np.concatenate(x) for x in zip(*found))
+    bins = np.minimum((sure * n_bins).astype(int), n_bins - 1)
+    return sum(abs(sure[bins == b].sum() - good[bins == b].sum()) for b in range(n_bins)) / len(sure)
+
+
+def loss(found):
+    sure, good = (np.concatenate(x) for x in zip(*found))
+    sure = np.clip(sure, 0.01, 0.99)
+    return -np.mean(np.where(good, np.log(sure), np.log(1 - sure)))
+
+
+def fit_confidence(pairs, w):
+    """half score, width, temperature, doubt length: the grid point of least logarithmic loss."""
+    grid = [(h, s, t, d) for h in np.arange(0.34, 0.62, 0.04) for s in (0.03, 0.05, 0.08)
+            for t in (0.02, 0.03, 0.05, 0.1) for d in (0.08, 0.12, 0.2)]
+    return min(grid, key=lambda constants: loss(confidence_of(pairs, w, *constants)))
+
+
+def report_confidence(name, pairs, w, constants):
+    if not pairs:
+        return
+    found = confidence_of(pairs, w, *constants)
+    wrong = sum(sure.mean() > 0.8 and p["mean_error"] > 6 for (sure, _), p in zip(found, pairs))
+    print(f"{name:28} expected calibration error {calibration_error(found):.3f}, "
+          f"{wrong} pairs above 6 with a mean confidence above 0.8")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", nargs="+")
+    parser.add_argument("--left-out", default="hippo,gorilla,centaur,cat")
+    arguments = parser.parse_args()
+    words = arguments.left_out.lower().split(",")
+    pairs = load(arguments.results)
+    is_left_out = [any(w in (p["source"] + p["target"]).lower() for w in words) for p in pairs]
+    dev = [p for p, out in zip(pairs, is_left_out) if not out]
+    test = [p for p, out in zip(pairs, is_left_out) if out]
+    for name, w in [("selection alone", np.array([1.0, 0, 0, 0])), ("6, 2, 0.06", np.array([1, 6, 2, 0.06])),
+                    ("fitted", fit_weights(dev)), ("fitted to all", fit_weights(pairs))]:
+        print(name, dict(zip(["score"] + PARTS, np.round(w, 3))))
+        report("  dev", dev, w)
+        report("  left out", test, w)
+    w = np.array([1, 6, 2, 0.06])
+    for name, constants in [("as it is", (0.6, 0.07, 0.02, 0.1)), ("fitted", fit_confidence(dev or pairs, w))]:
+        print("confidence", name, tuple(round(float(c), 3) for c in constants))
+        report_confidence("  dev", dev, w, constants)
+        report_confidence("  left out", test, w, constants)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What tells a right map from a wrong one once both are refined: a map must fit before fine relief can speak.
+#pragma once
+
+#include "match/spectral/scores.hpp"
+
+#include <array>
+
+namespace counterpart::spectral_match {
+
+/// Of a map between all vertices, mean of both directions.
+struct Cues {
+    std::array<double, 4> relief{};  // correlations of PreparedShape::relief under the map
+    double residual =
+        0;  // median over neighborhoods of what the best similarity leaves: 0 = a similarity, 1 = not
+    double wring =
+        0;  // how fast the rotations of neighborhoods change over some distance, where they change most
+};
+
+/// `pair` with neighborhoods of CueTuning::radius.
+Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning = {});
+
+}  // namespace counterpart::spectral_match

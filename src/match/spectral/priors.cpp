@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/priors.hpp"
+
+#include "geodesic/dijkstra.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace counterpart::spectral_match {
+namespace {
+
+VectorF distances_from(geodesic::Dijkstra& dijkstra, Index source, Index n_vertices) {
+    dijkstra.search(std::span(&source, 1), {});
+    VectorF result(n_vertices);
+    for (Index v = 0; v < n_vertices; ++v)
+        result[v] = std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
+    return result;
+}
+
+std::vector<PriorPair> with_distances(const PreparedShape& a, const PreparedShape& b,
+                                      const VertexPairs& pairs) {
+    std::vector<PriorPair> result;
+    if (pairs.empty()) return result;
+    const DistanceGraph graph_a(a.mesh), graph_b(b.mesh);
+    geodesic::Dijkstra on_a(graph_a), on_b(graph_b);
+    for (const auto& [va, vb] : pairs)
+        result.push_back({va, vb, distances_from(on_a, va, a.mesh.n_vertices()),
+                          distances_from(on_b, vb, b.mesh.n_vertices())});
+    return result;
+}
+
+// How far from the one end of the pair the map takes the sample that is nearest to the other end.
+double image_distance(const PreparedShape& from, const VectorF& near_end, const PreparedShape& to,
+                      const VectorF& far_end, const std::vector<Index>& map) {
+    std::size_t nearest = 0;
+    for (std::size_t s = 1; s < map.size(); ++s)
+        if (near_end[from.samples[s]] < near_end[from.samples[nearest]]) nearest = s;
+    return far_end[to.samples[static_cast<std::size_t>(map[nearest])]];
+}
+
+double image_distance(const PreparedShape& a, const PreparedShape& b, const PriorPair& pair,
+                      const PairedMaps& maps) {
+    return (image_distance(a, pair.from_a, b, pair.from_b, maps.b_from_a) +
+            image_distance(b, pair.from_b, a, pair.from_a, maps.a_from_b)) /
+           2;
+}
+
+// Correlation of the coordinates along the common directions, all of them together.
+double agreement_of_directions(const PreparedShape& a, const PreparedShape& b,
+                               const Eigen::Matrix3Xd& directions, const std::vector<Index>& b_from_a) {
+    const auto n = static_cast<Eigen::Index>(b_from_a.size());
+    Eigen::MatrixXd x(n, directions.cols()), y = x;
+    for (Eigen::Index s = 0; s < n; ++s) {
+        const auto i = static_cast<std::size_t>(s);
+        x.row(s) = a.mesh.vertices.row(a.samples[i]) * directions;
+        y.row(s) = b.mesh.vertices.row(b.samples[static_cast<std::size_t>(b_from_a[i])]) * directions;
+    }
+    x.rowwise() -= x.colwise().mean().eval();
+    y.rowwise() -= y.colwise().mean().eval();
+    double sum = 0;
+    for (Eigen::Index d = 0; d < x.cols(); ++d)
+        sum += x.col(d).dot(y.col(d)) / std::max(x.col(d).norm() * y.col(d).norm(), 1e-12);
+    return sum / static_cast<double>(x.cols());
+}
+
+}  // namespace
+
+VertexPairs Priors::pins() const {
+    VertexPairs result;
+    if (pinned)
+        for (const PriorPair& pair : landmarks) result.emplace_back(pair.a, pair.b);
+    return result;
+}
+
+Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexPairs& landmarks,
+                   const VertexPairs& excluded) {
+    return {.landmarks = with_distances(a, b, landmarks), .excluded = with_distances(a, b, excluded)};
+}
+
+double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
+                    const PairedMaps& maps, const PriorTuning& tuning) {
+    double result = 0;
+    for (const PriorPair& pair : priors.landmarks)
+        result += tuning.weight * std::max(0.0, image_distance(a, b, pair, maps) - tuning.slack);
+    for (const PriorPair& pair : priors.excluded)
+        result += tuning.weight * std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps));
+    if (priors.directions.cols() > 0)
+        result -= tuning.direction_weight * agreement_of_directions(a, b, priors.directions, maps.b_from_a);
+    return result;
+}
+
+void pin(PairedMaps& maps, const VertexPairs& pins) {
+    for (const auto& [va, vb] : pins) {
+        maps.b_from_a[static_cast<std::size_t>(va)] = vb;
+        maps.a_from_b[static_cast<std::size_t>(vb)] = va;
+    }
+}
+
+}  // namespace counterpart::spectral_match

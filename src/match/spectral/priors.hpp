@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What a person says about a map, and how far a map goes against it.
+#pragma once
+
+#include "match/spectral/prepared_shape.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace counterpart::spectral_match {
+
+using VertexPairs = std::vector<std::pair<Index, Index>>;  // of A and B
+
+/// A vertex on each shape, with the distances of all others from it.
+struct PriorPair {
+    Index a = 0, b = 0;
+    VectorF from_a, from_b;
+};
+
+struct Priors {
+    std::vector<PriorPair> landmarks;  // correspond
+    std::vector<PriorPair> excluded;   // do not
+    /// Directions of space that mean the same to both shapes, a column each (3 x at most 3).
+    Eigen::Matrix3Xd directions = Eigen::Matrix3Xd(3, 0);
+    bool pinned = true;  // landmarks hold exactly
+
+    bool empty() const { return landmarks.empty() && excluded.empty() && directions.cols() == 0; }
+    /// Landmarks that hold exactly.
+    VertexPairs pins() const;
+};
+
+inline const Priors nothing_known;
+
+Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexPairs& landmarks,
+                   const VertexPairs& excluded);
+
+/// To be taken off the score of maps between the first samples: distances between landmarks and their images,
+/// excluded pairs that are near each other under the map, coordinates along the common directions that do not
+/// agree.
+double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
+                    const PairedMaps& maps, const PriorTuning& tuning);
+
+/// The maps with the given vertices taken to each other.
+void pin(PairedMaps& maps, const VertexPairs& pins);
+
+}  // namespace counterpart::spectral_match
