@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace counterpart::cli {
 namespace {
@@ -117,9 +118,18 @@ std::string sentence_of(const CLI::App& program, const CLI::ParseError& error,
         return told(
             fmt::format("there is no command '{}'{}", *first, suggestion(*first, command_names(program))),
             "counterpart");
-    const std::string help = "counterpart " + command->get_name();
-    const std::string unknown =
-        unknown_option(*command, words, static_cast<std::size_t>(first - words.begin()) + 1);
+    auto rest = static_cast<std::size_t>(first - words.begin()) + 1;
+    std::string help = "counterpart " + command->get_name();
+    if (!command->get_subcommands({}).empty()) {
+        const CLI::App* operation = rest < words.size() ? command_of(*command, words[rest]) : nullptr;
+        if (operation == nullptr)
+            return told(fmt::format("'{}' needs one of {}", command->get_name(),
+                                    fmt::join(command_names(*command), ", ")),
+                        help);
+        command = operation;
+        help += " " + words[rest++];
+    }
+    const std::string unknown = unknown_option(*command, words, rest);
     if (unknown.empty()) return told(reworded(error.what()), help);
     return told(fmt::format("'{}' has no option '{}'{}", command->get_name(), unknown,
                             suggestion(unknown, option_names(*command))),

@@ -8,12 +8,16 @@
 
 namespace counterpart::cli {
 
+void add_blendshapes(CLI::App& program);
 void add_convert(CLI::App& program);
 void add_deform(CLI::App& program);
 void add_descriptors(CLI::App& program);
 void add_distances(CLI::App& program);
 void add_evaluate(CLI::App& program);
+void add_fit(CLI::App& program);
 void add_inspect(CLI::App& program);
+void add_manual(CLI::App& program);
+void add_map(CLI::App& program);
 void add_match(CLI::App& program);
 void add_align(CLI::App& program);
 void add_morph(CLI::App& program);

@@ -12,12 +12,29 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace counterpart::cli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+// ", about 40 s left", once there is something to tell it by.
+std::string time_left(double fraction, double elapsed) {
+    constexpr double least_fraction = 0.02;
+    if (fraction < least_fraction) return "";
+    const double seconds = elapsed * (1 - fraction) / fraction;
+    if (seconds < 90) return fmt::format(", about {:.0f} s left", seconds);
+    return fmt::format(", about {:.0f} min left", seconds / 60);
+}
+
+// The most memory that the program has held, bytes.
+double peak_memory() {
+    struct rusage usage = {};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
+}
 
 class Bar {
   public:
@@ -35,11 +52,12 @@ class Bar {
         shown_ = true;
         constexpr int width = 40;
         const int filled = static_cast<int>(fraction * width + 0.5);
-        std::fputs(
-            fmt::format("\r{} [{}{}] {:3.0f} %", label_, std::string(static_cast<std::size_t>(filled), '='),
-                        std::string(static_cast<std::size_t>(width - filled), ' '), 100 * fraction)
-                .c_str(),
-            stderr);
+        std::fputs(fmt::format("\r{} [{}{}] {:3.0f} %{}\033[K", label_,
+                               std::string(static_cast<std::size_t>(filled), '='),
+                               std::string(static_cast<std::size_t>(width - filled), ' '), 100 * fraction,
+                               time_left(fraction, std::chrono::duration<double>(now - start_).count()))
+                       .c_str(),
+                   stderr);
         std::fflush(stderr);
     }
 
@@ -105,7 +123,10 @@ Progress progress_bar(const std::string& label, const CommonOptions& options) {
 }
 
 void write_report(const Json& report, const CommonOptions& options) {
-    if (!options.report.empty()) write_file(report.dump(2) + "\n", options.report);
+    if (options.report.empty()) return;
+    Json whole = report;
+    whole["peak_memory_bytes"] = peak_memory();
+    write_file(whole.dump(2) + "\n", options.report);
 }
 
 Json to_json(const std::vector<StageTime>& stages) {

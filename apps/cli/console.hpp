@@ -61,7 +61,7 @@ AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const Com
 /// Cancels the work when the user interrupts the program.
 Progress progress_bar(const std::string& label, const CommonOptions& options);
 
-/// Writes the report, as it is, if --report was given.
+/// Writes the report, and the most memory held, if --report was given.
 void write_report(const Json& report, const CommonOptions& options);
 
 Json to_json(const std::vector<StageTime>& stages);

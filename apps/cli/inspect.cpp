@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "compare_meshes.hpp"
 #include "console.hpp"
 
 #include <counterpart/base/progress.hpp>
@@ -16,7 +17,7 @@ namespace {
 
 struct InspectCommand {
     CommonOptions common;
-    std::filesystem::path mesh;
+    std::filesystem::path mesh, other;
     std::size_t n_components = 5;
 };
 
@@ -110,22 +111,37 @@ void run(const InspectCommand& command) {
     const TriangleMesh mesh = load_mesh(command.mesh, command.common);
     watch.lap("read");
     const MeshReport report = analyze(mesh);
-    watch.lap("analyze");
+    std::string text = describe(report, command.n_components);
     Json json = {{"command", "inspect"}, {"mesh", command.mesh.string()}};
     json.update(mesh_json(report));
+    if (!command.other.empty()) {
+        const TriangleMesh other = load_mesh(command.other, command.common);
+        const MeshReport other_report = analyze(other);
+        const MeshComparison comparison = compare_meshes(mesh, report, other, other_report);
+        text = fmt::format("first: {}\n{}\nsecond: {}\n{}\nfirst and second\n", command.mesh.string(), text,
+                           command.other.string(), describe(other_report, command.n_components));
+        for (const std::string& sentence : comparison.sentences) text += "  " + sentence + "\n";
+        json["other"] = mesh_json(other_report);
+        json["comparison"] = comparison.details;
+        json["comparison"]["sentences"] = comparison.sentences;
+    }
+    watch.lap("analyze");
     json["seconds"] = to_json(watch.stages());
     write_report(json, command.common);
-    print(command.common, describe(report, command.n_components));
+    print(command.common, text);
 }
 
 }  // namespace
 
 void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
-    CLI::App* inspect = program.add_subcommand("inspect", "Print mesh statistics and defects");
+    CLI::App* inspect =
+        program.add_subcommand("inspect", "Print mesh statistics and defects, or compare two meshes");
     add_input(*inspect, command->common.files, "MESH", command->mesh,
               "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
         ->required();
+    add_input(*inspect, command->common.files, "OTHER", command->other,
+              "Another mesh file to compare with: connectivity, scale, up axis, mirrored, parts missing");
     inspect->add_option("--components", command->n_components, "Number of components to list")
         ->check(whole_number(0))
         ->capture_default_str();

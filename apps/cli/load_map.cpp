@@ -23,6 +23,8 @@ void require_size(Index size, const MeshPair& pair) {
             : ""));
 }
 
+}  // namespace
+
 SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const CommonOptions& options,
                             int extend) {
     return project_map(pair.source, pair.target, map,
@@ -30,8 +32,6 @@ SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const Co
                         .n_threads = options.threads,
                         .progress = progress_bar("placing images", options)});
 }
-
-}  // namespace
 
 LoadedMap load_map(const std::filesystem::path& file, const MeshPair& pair) {
     try {
@@ -54,15 +54,16 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& p
     return map.points ? std::move(*map.points) : between_vertices(map.vertices, pair, options, extend);
 }
 
-VertexMap matched(const MeshPair& pair, const CommonOptions& options) {
-    if (pair.source.n_vertices() == pair.target.n_vertices() &&
+VertexMap matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
+    if (landmarks.size() < 3 && pair.source.n_vertices() == pair.target.n_vertices() &&
         pair.source.triangles == pair.target.triangles) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
         return identity_map(pair.source.n_vertices());
     }
-    const MatchResult result =
-        match(pair.source, pair.target,
-              {.n_threads = options.threads, .progress = progress_bar("matching", options)});
+    MatchOptions how{.n_threads = options.threads, .progress = progress_bar("matching", options)};
+    if (landmarks.size() >= 3) how.spectral.landmarks = landmarks;
+    const MatchResult result = match(pair.source, pair.target, how);
+    how.progress = {};
     say(options,
         fmt::format("no map is given: matched by '{}', because {}", to_string(result.method), result.reason));
     for (const std::string& sentence : result.warnings) warn(sentence, pair.source_file, pair.target_file);
@@ -70,9 +71,9 @@ VertexMap matched(const MeshPair& pair, const CommonOptions& options) {
 }
 
 SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
-                                const CommonOptions& options) {
+                                const CommonOptions& options, const Landmarks& landmarks) {
     if (!file.empty()) return load_surface_map(file, pair, options);
-    return between_vertices(matched(pair, options), pair, options, 0);
+    return between_vertices(matched(pair, options, landmarks), pair, options, 0);
 }
 
 }  // namespace counterpart::cli

@@ -11,6 +11,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace counterpart::cli {
 
@@ -36,12 +38,18 @@ LoadedMap load_map(const std::filesystem::path& file, const MeshPair& pair);
 SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& pair,
                             const CommonOptions& options, int extend = 0);
 
+/// The same of a vertex map that is there already.
+SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const CommonOptions& options,
+                            int extend = 0);
+
+using Landmarks = std::vector<std::pair<Index, Index>>;
+
 /// Where no map is given: vertex i to vertex i if the meshes have the same triangles, else match(). Says
 /// which, and what is doubtful.
-VertexMap matched(const MeshPair& pair, const CommonOptions& options);
+VertexMap matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks = {});
 
 /// load_surface_map, or matched() without a file.
 SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
-                                const CommonOptions& options);
+                                const CommonOptions& options, const Landmarks& landmarks = {});
 
 }  // namespace counterpart::cli

@@ -34,6 +34,10 @@ int main(int argc, char** argv) {
     counterpart::cli::add_transfer(program);
     counterpart::cli::add_morph(program);
     counterpart::cli::add_align(program);
+    counterpart::cli::add_fit(program);
+    counterpart::cli::add_blendshapes(program);
+    counterpart::cli::add_map(program);
+    counterpart::cli::add_manual(program);
     counterpart::cli::add_view(program);
     counterpart::cli::cancel_on_interrupt();
     const std::vector<std::string> words = counterpart::cli::words_of(argc, argv);

@@ -5,11 +5,14 @@
 #include "match_methods.hpp"
 #include "match_partial.hpp"
 #include "match_spectral.hpp"
+#include "refine_map.hpp"
+#include "verdict.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
+#include <counterpart/spectral/functional_map.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -23,7 +26,8 @@ namespace {
 
 struct MatchCommand {
     CommonOptions common;
-    std::filesystem::path source, target, output, inverse, confidence;
+    std::filesystem::path source, target, output, inverse, confidence, initial, functional;
+    int functional_size = 100;
     std::string method = "auto";
     std::vector<MethodCommand> methods;
     std::map<const CLI::Option*, std::string> method_of_option;  // of those that belong to one
@@ -71,6 +75,16 @@ void refuse_unused_options(const MatchCommand& command, const std::string& metho
             fmt::format("--confidence: --method {} has none; exact, frontiers and spectral do", method));
 }
 
+void refuse_unused_options_of_refinement(const MatchCommand& command) {
+    if (command.method != "spectral" && command.method != "auto")
+        throw InvalidInput(
+            "--initial is refined by eigenfunctions: it goes with --method spectral or auto only");
+    for (const auto& [option, owner] : command.method_of_option)
+        if (option->count() > 0 && !owner.empty())
+            throw InvalidInput(
+                fmt::format("{} is not used where --initial gives the map", option->get_name()));
+}
+
 void write_outputs(const MatchCommand& command, const MatchOutcome& outcome) {
     if (!command.confidence.empty() && outcome.confidence.size() == 0)
         throw InvalidInput("--confidence: this method has none");
@@ -82,18 +96,38 @@ void write_outputs(const MatchCommand& command, const MatchOutcome& outcome) {
     if (!command.confidence.empty()) write_npy(outcome.confidence, command.confidence);
 }
 
+void write_functional_map(const MatchCommand& command, const MatchOutcome& outcome,
+                          const TriangleMesh& source, const TriangleMesh& target) {
+    if (command.functional.empty()) return;
+    const Progress progress = progress_bar("eigenfunctions", command.common);
+    const EigenBasis source_basis = eigen_basis(source, command.functional_size, part_of(progress, 0, 0.5));
+    const EigenBasis target_basis = eigen_basis(target, command.functional_size, part_of(progress, 0.5, 1));
+    write_npy(Matrix(functional_map(outcome.target_from_source, source_basis, target_basis,
+                                    std::min(source_basis.size(), target_basis.size()))),
+              command.functional);
+}
+
 void run(const MatchCommand& command) {
     refuse_unused_options(command, command.method);
+    if (!command.initial.empty()) refuse_unused_options_of_refinement(command);
     Stopwatch watch;
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     watch.lap("read");
+    const MatchInput input{source, target, command.common, progress_bar("matching", command.common)};
     const MatchOutcome outcome =
-        command.chosen().run({source, target, command.common, progress_bar("matching", command.common)});
+        command.initial.empty()
+            ? command.chosen().run(input)
+            : refine_map(input, load_map(command.initial, {source, target, command.source, command.target}));
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
+    const Verdict verdict = verdict_on(outcome, source);
+    if (outcome.failure.empty()) {
+        say(command.common, verdict.sentence());
+        write_outputs(command, outcome);
+        write_functional_map(command, outcome, source, target);
+    }
     for (const std::string& sentence : outcome.warnings) warn(sentence, command.source, command.target);
-    if (outcome.failure.empty()) write_outputs(command, outcome);
     watch.lap("write");
 
     for (const std::string& message : outcome.messages) say(command.common, message);
@@ -106,6 +140,8 @@ void run(const MatchCommand& command) {
     write_report({{"command", "match"},
                   {"source", command.source.string()},
                   {"target", command.target.string()},
+                  {"verdict", verdict.word},
+                  {"verdict_reason", verdict.reason},
                   {"method", command.method},
                   {"source_vertices", source.n_vertices()},
                   {"target_vertices", target.n_vertices()},
@@ -136,6 +172,15 @@ void add_match(CLI::App& program) {
                "Also write the map from TARGET to SOURCE");
     add_output(*match, command->common.files, "--confidence", command->confidence, Content::matrix,
                "Write the confidence of each source vertex, 0 to 1 (.npy)");
+    add_input(*match, command->common.files, "--initial", command->initial,
+              "Refine this map from SOURCE to TARGET by eigenfunctions, instead of searching for one");
+    add_output(*match, command->common.files, "--functional-map", command->functional, Content::matrix,
+               "Also write the map as a functional map (.npy): functions on TARGET to functions on SOURCE");
+    match
+        ->add_option("--functional-size", command->functional_size,
+                     "Number of eigenfunctions of --functional-map")
+        ->check(whole_number(1, 1000))
+        ->capture_default_str();
     const auto exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
     const auto partial = std::make_shared<PartialArguments>();

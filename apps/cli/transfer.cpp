@@ -6,6 +6,9 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/npy.hpp>
+#include <counterpart/map/complete.hpp>
+#include <counterpart/map/invert.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <algorithm>
@@ -22,6 +25,8 @@ struct TransferCommand {
     CommonOptions common;
     std::filesystem::path source, target, map, inverse, output;
     std::vector<std::string> what;  // empty = all
+    std::filesystem::path values, values_output;
+    bool labels = false;
     int max_influences = 0;
 };
 
@@ -30,17 +35,24 @@ struct TransferKind {
     const char* name;
     bool TransferOptions::*option;
     bool (*held)(const AttributedMesh&);
+    bool (*fits)(const std::string& ending);  // besides glTF
 };
+
+bool fits_nothing(const std::string& /*ending*/) { return false; }
+bool fits_text(const std::string& ending) { return ending == ".obj" || ending == ".ply"; }
+
 constexpr std::array<TransferKind, 6> transfer_kinds = {{
-    {"colors", &TransferOptions::colors, [](const AttributedMesh& mesh) { return !mesh.colors.empty(); }},
+    {"colors", &TransferOptions::colors, [](const AttributedMesh& mesh) { return !mesh.colors.empty(); },
+     fits_text},
     {"uv", &TransferOptions::texture_coordinates,
-     [](const AttributedMesh& mesh) { return !mesh.texture_coordinates.empty(); }},
+     [](const AttributedMesh& mesh) { return !mesh.texture_coordinates.empty(); }, fits_text},
     {"normals", &TransferOptions::normals,
-     [](const AttributedMesh& mesh) { return mesh.normals.values.rows() > 0; }},
+     [](const AttributedMesh& mesh) { return mesh.normals.values.rows() > 0; }, fits_text},
     {"weights", &TransferOptions::skin,
-     [](const AttributedMesh& mesh) { return mesh.skin.weights.size() > 0; }},
-    {"morphs", &TransferOptions::morphs, [](const AttributedMesh& mesh) { return !mesh.morphs.empty(); }},
-    {"texture", &TransferOptions::materials, has_materials},
+     [](const AttributedMesh& mesh) { return mesh.skin.weights.size() > 0; }, fits_nothing},
+    {"morphs", &TransferOptions::morphs, [](const AttributedMesh& mesh) { return !mesh.morphs.empty(); },
+     fits_nothing},
+    {"texture", &TransferOptions::materials, has_materials, fits_nothing},
 }};
 
 std::string kinds_held(const AttributedMesh& mesh) {
@@ -104,11 +116,23 @@ Json counts_of(const TransferredAttribute& attribute) {
             {"vertices_without_joint", attribute.unbound_vertices}};
 }
 
-void require_output_format(const std::filesystem::path& output) {
-    if (!is_gltf(output)) {
-        throw InvalidInput(
-            fmt::format("{}: attributes can be written only to .glb or .gltf", output.string()));
+// What a format cannot hold is refused if it was asked for, else left out and said.
+void keep_what_fits(const TransferCommand& command, TransferOptions& options) {
+    if (is_gltf(command.output)) return;
+    const std::string ending = lower_extension(command.output);
+    std::vector<std::string> left_out;
+    for (const TransferKind& kind : transfer_kinds) {
+        const bool fits = kind.fits(ending);
+        if (fits || !(options.*kind.option)) continue;
+        if (std::count(command.what.begin(), command.what.end(), kind.name) > 0)
+            throw InvalidInput(fmt::format("{}: {} can be written only to .glb or .gltf",
+                                           command.output.string(), kind.name));
+        options.*kind.option = false;
+        left_out.emplace_back(kind.name);
     }
+    if (!left_out.empty())
+        say(command.common, fmt::format("{} files hold no {}: left out; write to .glb to keep them", ending,
+                                        fmt::join(left_out, ", ")));
 }
 
 TransferResult transferred(const TransferCommand& command, const AttributedMesh& source,
@@ -126,12 +150,36 @@ TransferResult transferred(const TransferCommand& command, const AttributedMesh&
         options);
 }
 
+// Values per source vertex at the target's vertices: weighted means, or of labels the one with most weight.
+void transfer_values_file(const TransferCommand& command, const TriangleMesh& source,
+                          const TriangleMesh& target) {
+    if (command.values.empty()) return;
+    const Matrix values = read_npy(command.values);
+    if (values.rows() != source.n_vertices())
+        throw InvalidInput(fmt::format("{}: has {} rows, but {} has {} vertices", command.values.string(),
+                                       values.rows(), command.source.string(), source.n_vertices()));
+    SurfaceMap back;
+    if (!command.inverse.empty())
+        back = load_surface_map(command.inverse, {target, source, command.target, command.source},
+                                command.common);
+    else
+        back = invert(surface_map_or_match(command.map, {source, target, command.source, command.target},
+                                           command.common),
+                      source, target, {.n_threads = command.common.threads});
+    back = complete_map(back, target, source).target_from_source;
+    if (command.labels) back = surface_map_of(nearest_corners(back, source), source);
+    write_npy(transfer_values(back, source, values), command.values_output);
+    say(command.common, fmt::format("{} x {} values -> {}", target.n_vertices(), values.cols(),
+                                    command.values_output.string()));
+}
+
 void run(const TransferCommand& command) {
     Stopwatch watch;
     const AttributedMesh source = load_attributed_mesh(command.source, command.common);
     AttributedMesh target = load_attributed_mesh(command.target, command.common);
     watch.lap("read");
-    const TransferOptions options = chosen_options(command, source);
+    TransferOptions options = chosen_options(command, source);
+    keep_what_fits(command, options);
     Json report = {{"command", "transfer"},
                    {"source", command.source.string()},
                    {"target", command.target.string()},
@@ -140,7 +188,6 @@ void run(const TransferCommand& command) {
                    {"triangles", target.mesh.n_triangles()},
                    {"attributes", Json::array()}};
     if (transfers_anything(options)) {
-        require_output_format(command.output);
         TransferResult result = transferred(command, source, target, options);
         watch.lap("transfer");
         for (const std::string& warning : result.warnings) warn(warning);
@@ -155,6 +202,7 @@ void run(const TransferCommand& command) {
         say(command.common,
             fmt::format("nothing is transferred; {} has {}", command.source.string(), kinds_held(source)));
     }
+    transfer_values_file(command, source.mesh, target.mesh);
     write_attributed_mesh(target, command.output);
     watch.lap("write");
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", target.mesh.n_vertices(),
@@ -184,8 +232,17 @@ void add_transfer(CLI::App& program) {
         ->type_name("FILE")
         ->excludes(map);
     add_output(*transfer, command->common.files, "-o,--output", command->output, Content::mesh,
-               "Mesh file: .glb or .gltf")
+               "Mesh file: .glb or .gltf; .obj and .ply keep colors, uv and normals")
         ->required();
+    CLI::Option* values = add_input(*transfer, command->common.files, "--values", command->values,
+                                    "Numbers per vertex of SOURCE (.npy), to be transferred as well");
+    CLI::Option* values_output =
+        add_output(*transfer, command->common.files, "--values-output", command->values_output,
+                   Content::matrix, "File for the numbers per vertex of TARGET (.npy)");
+    values->needs(values_output);
+    values_output->needs(values);
+    transfer->add_flag("--labels", command->labels, "The numbers are labels: take the nearest, do not mix")
+        ->needs(values);
     std::vector<std::string> names = {"none"};
     for (const TransferKind& kind : transfer_kinds) names.emplace_back(kind.name);
     transfer

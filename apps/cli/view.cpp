@@ -10,6 +10,7 @@
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/npy.hpp>
 #include <counterpart/render/camera.hpp>
 #include <counterpart/viewer/viewer_page.hpp>
 
@@ -24,17 +25,30 @@ namespace {
 struct ViewCommand {
     CommonOptions common;
     std::filesystem::path source, target, output;
-    std::vector<std::filesystem::path> maps;
+    std::vector<std::filesystem::path> maps, values;
     TruthOptions truth;
     std::string up = "y";
     ViewerOptions options;
 };
 
-std::vector<double> source_errors(const LoadedMap& map, const GroundTruth& truth, const TriangleMesh& source,
-                                  const TriangleMesh& target, const EvaluationOptions& options) {
+// The errors of the map's vertices, and in words those of its pairs, as `counterpart evaluate` says them.
+void add_errors(ViewerMap& shown, const LoadedMap& map, const GroundTruth& truth, const TriangleMesh& source,
+                const TriangleMesh& target, const EvaluationOptions& options) {
     const EvaluationReport report = evaluated(map, truth, source, target, options);
     const Vector errors = mean_vertex_errors(truth, report, PairEnd::source, source.n_vertices());
-    return {errors.begin(), errors.end()};
+    shown.error.assign(errors.begin(), errors.end());
+    shown.evaluation = fmt::format("mean error {:.3f} % of \u221aarea \u00b7 {:.2f} % exact",
+                                   report.mean_error, 100.0 * report.n_exact / report.n_pairs);
+}
+
+ViewerValues values_of(const std::filesystem::path& file, Index n_vertices) {
+    const Matrix values = read_npy(file);
+    if (values.cols() != 1 || values.rows() != n_vertices)
+        throw InvalidInput(
+            fmt::format("{}: holds {} x {} numbers; --values needs one for each of the {} source "
+                        "vertices",
+                        file.string(), values.rows(), values.cols(), n_vertices));
+    return {file.stem().string(), {values.data(), values.data() + values.size()}};
 }
 
 // The first true target vertex of each source vertex.
@@ -64,6 +78,8 @@ void run(const ViewCommand& command) {
     }
     ViewerOptions options = command.options;
     options.up = render::find_camera(source, {.direction = "front", .up = command.up}).row(1).transpose();
+    for (const std::filesystem::path& file : command.values)
+        options.values.push_back(values_of(file, source.n_vertices()));
     options.source_name = command.source.stem().string();
     options.target_name = command.target.stem().string();
     const std::optional<GroundTruth> truth = read_truth(command.truth);
@@ -73,7 +89,7 @@ void run(const ViewCommand& command) {
         const EvaluationOptions evaluation{.n_threads = command.common.threads,
                                            .progress = progress_bar("measuring errors", command.common)};
         for (std::size_t i = 0; i < maps.size(); ++i)
-            maps[i].error = source_errors(loaded[i], *truth, source, target, evaluation);
+            add_errors(maps[i], loaded[i], *truth, source, target, evaluation);
         options.truth = vertex_truth(*truth, source.n_vertices());
     }
     watch.lap("evaluate");
@@ -111,6 +127,9 @@ void add_view(CLI::App& program) {
     add_output(*view, command->common.files, "-o,--output", command->output, Content::page,
                "HTML file; opens in any browser, offline")
         ->required();
+    add_input(
+        *view, command->common.files, "--values", command->values,
+        "Numbers per vertex of SOURCE (.npy), to color by: a confidence, a distance. Several may be given");
     add_truth_options(*view, command->common.files, command->truth);
     view->add_option("--up", command->up, "Up axis of SOURCE: auto, x, y, z, -x, -y or -z")
         ->check(one_of({"auto", "x", "y", "z", "-x", "-y", "-z"}))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "numerics/closest_triangle.hpp"
+#include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/align/icp.hpp>
@@ -14,6 +15,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace counterpart {
@@ -42,6 +45,50 @@ Vector kept_pairs(const Vector& squared_distances, double trim) {
     const auto kept = static_cast<std::size_t>(std::ceil((1 - trim) * static_cast<double>(order.size())));
     for (std::size_t i = 0; i < kept; ++i) weights[order[i]] = 1;
     return weights;
+}
+
+constexpr double slide_resistance =
+    0.01;  // of a pair along the surface, against 1 across it (tried 0 .. 0.1)
+
+// How the transform changes at best, to first order: a rotation vector, a translation and for similarities
+// the logarithm of a scale, or the change of the linear part by rows and a translation. About the origin.
+Affine plane_step(PointsView moved, PointsView to, PointsView normals, const Vector& weights,
+                  TransformModel model) {
+    const int n = model == TransformModel::affine ? 12 : model == TransformModel::similarity ? 7 : 6;
+    const Eigen::RowVector3d center = (weights.transpose() * moved) / weights.sum();
+    Eigen::MatrixXd left = Eigen::MatrixXd::Zero(n, n);
+    Vector right = Vector::Zero(n);
+    Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, n);
+    for (Eigen::Index v = 0; v < moved.rows(); ++v) {
+        if (weights[v] == 0) continue;
+        const Eigen::Vector3d p = (moved.row(v) - center).transpose(), normal = normals.row(v).transpose();
+        if (model == TransformModel::affine) {
+            jacobian.setZero();
+            for (int i = 0; i < 3; ++i) jacobian.block<1, 3>(i, 3 * i) = p.transpose();
+            jacobian.rightCols<3>().setIdentity();
+        } else {
+            jacobian.leftCols<3>() << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
+            jacobian.middleCols<3>(3).setIdentity();
+            if (n == 7) jacobian.col(6) = p;
+        }
+        // A known pair has no normal and counts in every direction.
+        const double all = normal.isZero() ? 1 : slide_resistance;
+        const Eigen::Matrix3d metric = all * Eigen::Matrix3d::Identity() + normal * normal.transpose();
+        left += weights[v] * jacobian.transpose() * metric * jacobian;
+        right += weights[v] * jacobian.transpose() * metric * (to.row(v) - moved.row(v)).transpose();
+    }
+    const Vector x = left.ldlt().solve(right);
+    Affine step;
+    if (model == TransformModel::affine) {
+        for (int i = 0; i < 3; ++i) step.linear.row(i) += x.segment<3>(3 * i).transpose();
+        step.translation = x.tail<3>();
+    } else {
+        const double scale = n == 7 ? std::exp(x[6]) : 1;
+        step.linear = scale * numerics::rotation_from_vector(Eigen::Vector3d(x.head<3>())).toRotationMatrix();
+        step.translation = x.segment<3>(3);
+    }
+    step.translation += center.transpose() - step.linear * center.transpose();
+    return step;
 }
 
 // Rows are the principal axes of the points about their mean, the longest first, right-handed.
@@ -89,13 +136,15 @@ IcpResult icp(MeshView source, MeshView target, const Affine& start, const Surfa
 
     IcpResult result{start};
     Vector squared(count), weights(count + n_known);
-    Points moved = start(source.vertices);
+    Points normals = Points::Zero(count + n_known, 3);
+    Points moved = start(from);
     with_threads(options.n_threads, [&] {
         while (!result.converged && result.iterations < options.max_iterations) {
             parallel_for(static_cast<std::size_t>(count), 64, [&](std::size_t i) {
                 const auto v = static_cast<Eigen::Index>(i);
                 const numerics::ClosestPoint point = closest.closest(moved.row(v).transpose());
                 to.row(v) = closest.position(point).transpose();
+                normals.row(v) = closest.normals().row(point.triangle);
                 squared[v] = point.squared_distance;
             });
             weights.head(count) = kept_pairs(squared, options.trim);
@@ -104,8 +153,17 @@ IcpResult icp(MeshView source, MeshView target, const Affine& start, const Surfa
             if (n_known > 0)
                 weights.tail(n_known).setConstant(options.known_weight * found /
                                                   static_cast<double>(n_known));
-            result.target_from_source = fit_transform(from, to, options.model, weights);
-            const Points next = result.target_from_source(source.vertices);
+            // The first step closes the largest gaps and refuses points that determine no transform; those
+            // along the normals then slide on the surface, where steps to the closest points creep.
+            if (result.iterations == 0) {
+                result.target_from_source = fit_transform(from, to, options.model, weights);
+            } else {
+                const Affine step = plane_step(moved, to, normals, weights, options.model);
+                result.target_from_source.linear = step.linear * result.target_from_source.linear;
+                result.target_from_source.translation =
+                    step.linear * result.target_from_source.translation + step.translation;
+            }
+            const Points next = result.target_from_source(from);
             result.converged = (next - moved).rowwise().norm().maxCoeff() <= options.tolerance * size;
             moved = next;
             ++result.iterations;

@@ -7,6 +7,8 @@
 #include <counterpart/transfer/transfer.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -82,20 +84,27 @@ struct Transfer {
 // A skeleton is not moved: the target should lie where the source does.
 void warn_of_another_place(TransferResult& result, const SurfaceMap& source_from_target,
                            const AttributedMesh& source) {
-    constexpr double noticeable = 0.05;  // share of the source's size
+    constexpr double noticeable = 0.05;       // share of the source's size, on average ...
+    constexpr double noticeable_part = 0.10;  // ... or for a twentieth of the vertices: a limb that is bent
     PointsView target = result.content.mesh.vertices;
     const Points images = image_positions(source_from_target, source.mesh);
-    double sum = 0;
-    for (Index v = 0; v < source_from_target.source_size(); ++v)
-        if (source_from_target[v].matched()) sum += (images.row(v) - target.row(v)).norm();
     PointsView vertices = source.mesh.vertices;
     const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
-    const double share = sum / std::max<Index>(count_matched(source_from_target), 1) / size;
-    if (share > noticeable)
+    std::vector<double> shares;
+    for (Index v = 0; v < source_from_target.source_size(); ++v)
+        if (source_from_target[v].matched()) shares.push_back((images.row(v) - target.row(v)).norm() / size);
+    if (shares.empty()) return;
+    const double mean =
+        std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+    const auto far = shares.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(shares.size()));
+    std::nth_element(shares.begin(), far, shares.end());
+    if (mean > noticeable || *far > noticeable_part)
         result.warnings.push_back(fmt::format(
-            "the target is {:.0f} % of the source's size away from the source on average, but the "
+            "the target is {:.0f} % of the source's size away from the source on average, {:.0f} % or more "
+            "for "
+            "a twentieth of its vertices, but the "
             "skeleton stays in place: move the target into the source's bind pose and position first",
-            100 * share));
+            100 * mean, 100 * *far));
 }
 
 }  // namespace

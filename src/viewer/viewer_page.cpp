@@ -68,6 +68,7 @@ Json put_map(const ViewerMap& map, viewer::SceneBuffer& buffer) {
         json["error_offset"] = buffer.start_array();
         for (const double error : map.error) buffer.put(static_cast<float>(error));
     }
+    if (!map.evaluation.empty()) json["evaluation"] = map.evaluation;
     return json;
 }
 
@@ -119,6 +120,11 @@ void require_fit(const ViewerOptions& options, MeshView source, MeshView target)
             throw InvalidInput(fmt::format("truth: {}", error.what()));
         }
     }
+    for (const ViewerValues& values : options.values)
+        if (values.values.size() != static_cast<std::size_t>(source.n_vertices()))
+            throw InvalidInput(
+                fmt::format("values '{}': {} numbers for {} source vertices; give one for each", values.name,
+                            values.values.size(), source.n_vertices()));
     if (!(options.up.allFinite() && options.up.squaredNorm() > 0))
         throw InvalidInput("the direction that points up must not be 0");
     if (options.base_vertex < -1 || options.base_vertex >= source.n_vertices())
@@ -149,6 +155,11 @@ std::string viewer_page(MeshView source, MeshView target, const std::vector<View
     scene["target"] = put_mesh(target, options.target_name, buffer);
     scene["maps"] = Json::array();
     for (const ViewerMap& map : maps) scene["maps"].push_back(put_map(map, buffer));
+    scene["values"] = Json::array();
+    for (const ViewerValues& values : options.values) {
+        scene["values"].push_back({{"name", values.name}, {"offset", buffer.start_array()}});
+        for (const double value : values.values) buffer.put(static_cast<float>(value));
+    }
     if (!options.truth.empty()) scene["truth_offset"] = put_indices(options.truth, buffer);
     scene["base_vertex"] = options.base_vertex;
     scene["view_from_source"] = to_json(upright(options.up));

@@ -21,7 +21,7 @@ expect_status 0 --help
 expect_status 0 --version
 expect_status 2
 expect_status 2 inspect
-expect_status 2 inspect a b
+expect_status 2 inspect a b c
 expect_status 2 nonsense
 expect_status 2 deform body a.obj --bend 1000
 expect_status 1 deform body a.obj --truth truth.txt

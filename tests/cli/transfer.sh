@@ -244,6 +244,13 @@ run deform fine.obj moved.obj --move -q
 run transfer character.glb moved.obj --map nearest.txt -o moved.glb -q
 says "warning: the target is"
 
+# ---- to OBJ and PLY: what they can hold ----
+run transfer character.glb copy.glb --map map.txt -o text.obj
+says "hold no weights, morphs, texture"
+[ "$(grep -c '^vt ' text.obj)" -gt 100 ] && [ "$(grep -c '^vn ' text.obj)" -gt 100 ] || fail "no UV or normals in OBJ"
+run transfer character.glb copy.glb --map map.txt -o colored.ply
+head -c 1000 colored.ply | grep -aq 'property uchar red' || fail "no colors in PLY"
+
 # ---- what does not fit ----
 cat > spoil.py << 'END'
 import struct
@@ -276,6 +283,6 @@ refuse 1 "static.glb has no weights; it has colors, uv, normals, morphs, texture
 refuse 1 "sum to zero" transfer unbound.glb copy.glb --map map.txt -o none.glb
 refuse 1 "short_morph.glb: .*morph" transfer short_morph.glb copy.glb --map map.txt -o none.glb
 refuse 1 "absent.png" transfer no_texture.glb copy.glb --map map.txt -o none.glb
-refuse 1 "only to .glb or .gltf" transfer character.glb copy.glb --map map.txt -o none.obj
+refuse 1 "weights can be written only to .glb or .gltf" transfer character.glb copy.glb --map map.txt --what weights -o none.obj
 refuse 2 "--what" transfer character.glb copy.glb --map map.txt --what smell -o none.glb
 refuse 2 "--inverse" transfer character.glb copy.glb --map map.txt --inverse map.txt -o none.glb

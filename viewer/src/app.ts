@@ -8,7 +8,7 @@ import type { Mode, Selection, Side } from "./modes";
 import { type Line, type Marker, Overlay } from "./overlay";
 import { errorStops, interpolate, positionColor } from "./palette";
 import { element, Panel } from "./panel";
-import { colorLegend, describe, errorLegend, levelLegend } from "./readout";
+import { colorLegend, describe, errorLegend, levelLegend, valueLegend } from "./readout";
 import { sampleVertices } from "./sample";
 import type { SceneData } from "./scene_data";
 import { type ScreenPoint, Stage } from "./stage";
@@ -39,6 +39,11 @@ export class App {
   private pinned: Selection | null = null;
   private pointer: { x: number; y: number } | null = null;
   private frame = 0;
+  private valuesIndex = 0;
+  private errorEnd: number | null = null; // null = automatic
+  private isPicking = false;
+  private pickedSource: number | null = null;
+  private landmarks: [number, number][] = [];
   private meshesChanged = false;
   /** Number of times the meshes were drawn. */
   frames = 0;
@@ -57,13 +62,18 @@ export class App {
       viewChanged: () => this.requestFrame(),
       hover: (x, y) => {
         this.pointer = { x, y };
+        this.panel.pointed();
         this.requestFrame("overlay");
       },
       leave: () => {
         this.pointer = null;
         this.highlight(null);
       },
-      select: (x, y) => this.pin(this.stage.pick(x, y)),
+      select: (x, y) => {
+        const selection = this.stage.pick(x, y);
+        if (this.isPicking && selection) this.pickLandmark(selection);
+        this.pin(selection);
+      },
       release: () => this.pin(null),
     });
     this.panel = new Panel(scene, this.mode, {
@@ -90,6 +100,24 @@ export class App {
       },
       reset: () => this.interaction.reset(),
       vertex: (vertex) => this.pin({ side: "source", vertex }),
+      values: (index) => {
+        this.valuesIndex = index;
+        this.recolor();
+      },
+      scale: (top) => {
+        this.errorEnd = top;
+        this.recolor();
+      },
+      picking: (picking) => {
+        this.isPicking = picking;
+        this.pickedSource = null;
+        this.showLandmarks();
+      },
+      saveLandmarks: () => this.saveLandmarks(),
+      clearLandmarks: () => {
+        this.landmarks = [];
+        this.showLandmarks();
+      },
     });
     this.nameMeshes();
     new ResizeObserver(() => this.resize()).observe(this.stage.canvas);
@@ -151,6 +179,34 @@ export class App {
     this.requestFrame();
   }
 
+  // ---- landmarks ----
+
+  /** A vertex of the source, then one of the target, are a pair. */
+  private pickLandmark({ side, vertex }: Selection): void {
+    if (side === "source") {
+      this.pickedSource = vertex;
+    } else if (this.pickedSource !== null) {
+      this.landmarks.push([this.pickedSource, vertex]);
+      this.pickedSource = null;
+    }
+    this.showLandmarks();
+  }
+
+  private showLandmarks(): void {
+    this.panel.showLandmarks(this.landmarks.length, this.pickedSource === null ? "" : "now its counterpart");
+    this.requestFrame("overlay");
+  }
+
+  /** As `counterpart match --landmarks` reads it. */
+  private saveLandmarks(): void {
+    const lines = this.landmarks.map(([source, target]) => `${source} ${target}\n`);
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob(lines, { type: "text/plain" }));
+    link.download = "landmarks.txt";
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+
   private updateMorph(): void {
     if (this.morph > 0 && this.goalMap !== this.mapIndex) {
       this.goalMap = this.mapIndex;
@@ -208,6 +264,12 @@ export class App {
         const field = scalarField(levels, (v) => levels[v] >= 0);
         return { field, top, bandWidth: Math.max(1, Math.round(top / frontierBands)) };
       }
+      case "values": {
+        const { values } = this.scene.values[this.valuesIndex];
+        const [low, high] = this.valueRange();
+        const scaled = values.map((value) => (value - low) / (high - low || 1));
+        return { field: scalarField(scaled, (v) => Number.isFinite(values[v])), top: 1, bandWidth: 1 };
+      }
       case "plain":
         return { field: null, top: 1, bandWidth: 1 };
     }
@@ -215,7 +277,13 @@ export class App {
 
   /** One scale for all maps, so that they can be compared. */
   private errorTop(): number {
+    if (this.errorEnd !== null) return this.errorEnd;
     return Math.max(...this.correspondences.filter(({ map }) => map.error).map((c) => c.errorScale()), 1e-6);
+  }
+
+  private valueRange(): [number, number] {
+    const known = this.scene.values[this.valuesIndex].values.filter(Number.isFinite);
+    return [known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity)];
   }
 
   /** Cells of the checkerboard along each axis. */
@@ -260,6 +328,8 @@ export class App {
   private updateLegend(top: number, bandWidth: number): void {
     const legend = element("legend");
     if (this.mode === "error") legend.replaceChildren(...errorLegend(top));
+    else if (this.mode === "values")
+      legend.replaceChildren(...valueLegend(this.scene.values[this.valuesIndex].name, ...this.valueRange()));
     else if (this.mode === "frontiers") legend.replaceChildren(...levelLegend(this.base, top, bandWidth));
     else legend.replaceChildren(...colorLegend());
     const complete =
@@ -313,6 +383,10 @@ export class App {
     if (truth >= 0) markers.push({ at: this.stage.project("target", truth), color: truthColor, shape: "ring" });
     for (const v of shown) markers.push({ at: this.stage.project("source", v), color: sourceColor, shape: "disc" });
     for (const v of target) markers.push({ at: this.stage.project("target", v), color: targetColor, shape: "disc" });
+    for (const [from, to] of this.landmarks) {
+      markers.push({ at: this.stage.project("source", from), color: truthColor, shape: "ring" });
+      markers.push({ at: this.stage.project("target", to), color: truthColor, shape: "ring" });
+    }
     let link: Line | null = null;
     if (shown.length > 0 && target.length > 0)
       link = this.line(shown[0], target[0], getComputedStyle(document.body).color);

@@ -47,20 +47,7 @@ export class Correspondence {
       `${this.matched.toLocaleString("en")} of ${sourceCount.toLocaleString("en")} vertices matched`,
       `${((100 * this.covered) / this.scene.target.vertexCount).toFixed(1)} % of the target reached`,
     ];
-    const error = this.map.error;
-    if (error) {
-      let sum = 0, known = 0, exact = 0;
-      for (const e of error) {
-        if (!Number.isFinite(e)) continue;
-        sum += e;
-        known++;
-        if (e === 0) exact++;
-      }
-      if (known > 0) {
-        parts.push(`mean error ${(sum / known).toFixed(2)} % of √area`);
-        parts.push(`${((100 * exact) / known).toFixed(1)} % exact`);
-      }
-    }
+    if (this.map.evaluation) parts.push(this.map.evaluation);
     return parts.join(" · ");
   }
 }

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 /** What the meshes are colored by; the order is the shader's. */
-export const modes = ["colors", "checker", "error", "frontiers", "plain"] as const;
+export const modes = ["colors", "checker", "error", "values", "frontiers", "plain"] as const;
 export type Mode = (typeof modes)[number];
 
 export const modeLabels: Record<Mode, string> = {
   colors: "Colors",
   checker: "Checker",
   error: "Error",
+  values: "Values",
   frontiers: "Frontiers",
   plain: "Plain",
 };
@@ -16,6 +17,7 @@ export const modeTitles: Record<Mode, string> = {
   colors: "Source vertices are colored by position; their images have the same color",
   checker: "A checkerboard on the source, transferred to the target by the map",
   error: "Geodesic distance between the image and the true image",
+  values: "Numbers given for each source vertex, transferred by the map",
   frontiers: "Frontiers of a source vertex, transferred by the map; select a vertex to start there",
   plain: "Shape only",
 };

@@ -11,6 +11,12 @@ export interface PanelEvents {
   linked(linked: boolean): void;
   reset(): void;
   vertex(vertex: number): void;
+  values(index: number): void;
+  /** The error at the end of the scale; null = automatic. */
+  scale(top: number | null): void;
+  picking(picking: boolean): void;
+  saveLandmarks(): void;
+  clearLandmarks(): void;
 }
 
 export function element<T extends HTMLElement>(id: string): T {
@@ -20,6 +26,7 @@ export function element<T extends HTMLElement>(id: string): T {
 /** The controls around the stage. */
 export class Panel {
   private readonly vertex = element<HTMLInputElement>("vertex");
+  private isTyping = false;
 
   constructor(scene: SceneData, initial: Mode, events: PanelEvents) {
     this.addModes(scene, initial, events);
@@ -31,14 +38,34 @@ export class Panel {
     element("reset").addEventListener("click", () => events.reset());
     element("controls").addEventListener("submit", (event) => event.preventDefault());
     this.vertex.max = String(scene.source.vertexCount - 1);
+    this.addValues(scene, events);
+    const scale = element<HTMLInputElement>("scale");
+    element("scale-field").hidden = !scene.maps.some((map) => map.error);
+    scale.addEventListener("input", () => events.scale(Number(scale.value) > 0 ? Number(scale.value) : null));
+    const picking = element<HTMLInputElement>("picking");
+    picking.addEventListener("change", () => events.picking(picking.checked));
+    element("save-landmarks").addEventListener("click", () => events.saveLandmarks());
+    element("clear-landmarks").addEventListener("click", () => events.clearLandmarks());
     this.vertex.addEventListener("input", () => {
+      this.isTyping = true;
       if (this.vertex.value !== "" && this.vertex.checkValidity()) events.vertex(Number(this.vertex.value));
     });
   }
 
+  /** What is pointed at counts again, not what was typed. */
+  pointed(): void {
+    this.isTyping = false;
+  }
+
+  showLandmarks(count: number, waiting: string): void {
+    element("landmarks").textContent = waiting || `${count} ${count === 1 ? "pair" : "pairs"}`;
+    for (const id of ["save-landmarks", "clear-landmarks"])
+      element<HTMLButtonElement>(id).disabled = count === 0;
+  }
+
   /** Fills in the number of the selected source vertex, unless someone is typing there. */
   showVertex(vertex: number | null): void {
-    if (document.activeElement !== this.vertex) this.vertex.value = vertex === null ? "" : String(vertex);
+    if (document.activeElement !== this.vertex || !this.isTyping) this.vertex.value = vertex === null ? "" : String(vertex);
   }
 
   private addModes(scene: SceneData, initial: Mode, events: PanelEvents): void {
@@ -47,6 +74,7 @@ export class Panel {
       const label = document.createElement("label");
       const input = document.createElement("input");
       Object.assign(input, { type: "radio", name: "mode", value: mode, checked: mode === initial });
+      if (mode === "values" && scene.values.length === 0) continue;
       input.disabled = mode === "error" && !hasError;
       input.addEventListener("change", () => events.mode(mode));
       label.title = input.disabled ? "Needs the true map: counterpart view --truth" : modeTitles[mode];
@@ -60,6 +88,13 @@ export class Panel {
     scene.maps.forEach((map, index) => select.add(new Option(map.name, String(index))));
     select.addEventListener("change", () => events.map(Number(select.value)));
     element("map-field").hidden = scene.maps.length < 2;
+  }
+
+  private addValues(scene: SceneData, events: PanelEvents): void {
+    const select = element<HTMLSelectElement>("values");
+    scene.values.forEach(({ name }, index) => select.add(new Option(name, String(index))));
+    select.addEventListener("change", () => events.values(Number(select.value)));
+    element("values-field").hidden = scene.values.length < 2;
   }
 
   private addSlider(id: string, format: (value: number) => string, changed: (value: number) => void): void {

@@ -80,6 +80,10 @@ export function errorLegend(top: number): Content[] {
   return [...bar("Error, % of √area", errorStops, "0", `≥ ${top.toPrecision(2)}`), missing("not known or unmatched")];
 }
 
+export function valueLegend(name: string, low: number, high: number): Content[] {
+  return [...bar(name, levelStops, String(+low.toPrecision(3)), String(+high.toPrecision(3))), missing("not known")];
+}
+
 export function levelLegend(base: number, top: number, bandWidth: number): Content[] {
   const title = `Edges from vertex ${base}, bands of ${bandWidth}`;
   return bar(title, levelStops, "0", String(top));

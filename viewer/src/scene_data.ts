@@ -18,12 +18,21 @@ export interface MapData {
   image: Int32Array;
   /** Per source vertex in units of sqrt(target area) / 100, NaN = unknown; null where there is no truth at all. */
   error: Float32Array | null;
+  /** What `counterpart evaluate` says of the map; empty where there is no truth. */
+  evaluation: string;
+}
+
+/** Numbers per source vertex, NaN = unknown. */
+export interface ValueData {
+  name: string;
+  values: Float32Array;
 }
 
 export interface SceneData {
   source: MeshData;
   target: MeshData;
   maps: MapData[];
+  values: ValueData[];
   truth: Int32Array | null;
   baseVertex: number;
   /** Quaternions x y z w. */
@@ -82,10 +91,15 @@ export function readScene(): SceneData {
   return {
     source,
     target,
-    maps: json.maps.map((map: { name: string; image_offset: number; error_offset?: number }) => ({
+    maps: json.maps.map((map: { name: string; image_offset: number; error_offset?: number; evaluation?: string }) => ({
       name: map.name,
       image: new Int32Array(buffer, map.image_offset, source.vertexCount),
       error: map.error_offset === undefined ? null : new Float32Array(buffer, map.error_offset, source.vertexCount),
+      evaluation: map.evaluation ?? "",
+    })),
+    values: (json.values ?? []).map((value: { name: string; offset: number }) => ({
+      name: value.name,
+      values: new Float32Array(buffer, value.offset, source.vertexCount),
     })),
     truth: json.truth_offset === undefined ? null : new Int32Array(buffer, json.truth_offset, source.vertexCount),
     baseVertex: json.base_vertex,

@@ -54,12 +54,13 @@ export const surfaceFragmentShader = /* glsl */ `
   void main() {
     vec3 base = ${vec3(plainColor)};
     vec3 value = vField.xyz;
-    if (mode != 4) {
+    if (mode != 5) {
       bool known = vField.w > 0.999;
       if (!known) base = ${vec3(missingColor)};
       else if (mode == 0) base = vec3(0.12) + 0.83 * value;
       else if (mode == 1) base = mix(0.25, 1.0, parity(value * cells)) * (vec3(0.3) + 0.7 * value);
       else if (mode == 2) base = along(errors, value.x / top);
+      else if (mode == 3) base = along(levels, value.x);
       else {
         float band = value.x / bandWidth;
         float edge = abs(fract(band + 0.5) - 0.5) / max(fwidth(band), 1e-5);

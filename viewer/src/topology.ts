@@ -48,10 +48,31 @@ export class Topology {
   extremity(): number {
     let best = 0;
     let bestLevel = -1;
-    const start = this.mesh.triangles[0];
-    this.levels(start).forEach((level, v) => {
+    this.levels(this.largestComponentStart()).forEach((level, v) => {
       if (level > bestLevel) [best, bestLevel] = [v, level];
     });
+    return best;
+  }
+
+  /** A vertex of the component with the most vertices. */
+  private largestComponentStart(): number {
+    const { triangles, vertexCount } = this.mesh;
+    const seen = new Uint8Array(vertexCount);
+    let best = triangles[0];
+    let most = 0;
+    for (let i = 0; i < triangles.length; i += 3) {
+      if (seen[triangles[i]]) continue;
+      const queue = [triangles[i]];
+      seen[triangles[i]] = 1;
+      for (let head = 0; head < queue.length; head++) {
+        this.forEachNeighbor(queue[head], (n) => {
+          if (seen[n]) return;
+          seen[n] = 1;
+          queue.push(n);
+        });
+      }
+      if (queue.length > most) [best, most] = [triangles[i], queue.length];
+    }
     return best;
   }
 

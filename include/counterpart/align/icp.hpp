@@ -29,9 +29,10 @@ struct IcpResult {
     double rms_distance = 0;  ///< from the moved source vertices that are not trimmed to the target's surface
 };
 
-/// Iterative closest points from the source's vertices to the target's surface (Besl and McKay 1992), started
-/// from `start`. `known` is empty or a map from the source's vertices, most of which may be unmatched; its
-/// pairs are fitted together with the closest points. Converges to a local optimum, which depends on `start`.
+/// Iterative closest points from the source's vertices to the target's surface (Besl and McKay 1992), after
+/// the first step by the distances along the surface's normals (Chen and Medioni 1992), started from `start`.
+/// `known` is empty or a map from the source's vertices, most of which may be unmatched; its pairs are fitted
+/// together with the closest points. Converges to a local optimum, which depends on `start`.
 IcpResult icp(MeshView source, MeshView target, const Affine& start = {}, const SurfaceMap& known = {},
               const IcpOptions& options = {});
 

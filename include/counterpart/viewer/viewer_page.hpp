@@ -17,6 +17,13 @@ struct ViewerMap {
     /// Error per source vertex, in units of sqrt(target area) / 100; NaN where unknown, infinite where the
     /// map leads to another component. Empty = no ground truth.
     std::vector<double> error{};
+    std::string evaluation{};  ///< what is said of the map beside it: its errors, as evaluate() finds them
+};
+
+/// Numbers to color by.
+struct ViewerValues {
+    std::string name;
+    std::vector<double> values;  ///< one per source vertex, NaN where unknown
 };
 
 struct ViewerOptions {
@@ -24,6 +31,7 @@ struct ViewerOptions {
     /// True target vertex of each source vertex, or VertexMap::unmatched where unknown. Empty = no ground
     /// truth.
     std::vector<Index> truth{};
+    std::vector<ViewerValues> values{};
     /// The direction, in the source's coordinates, that points up on the screen; not 0.
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();
     /// The seed vertex of the source for frontiers; -1 = selected by the page, at an end of the source.

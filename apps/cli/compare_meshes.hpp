@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/mesh/analyze.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace counterpart::cli {
+
+/// What to know of two meshes before they are matched, as sentences and for the report: connectivity, scale
+/// and units, up axis, inside out or mirrored, parts that may be missing.
+struct MeshComparison {
+    std::vector<std::string> sentences;
+    nlohmann::ordered_json details;
+};
+MeshComparison compare_meshes(const TriangleMesh& first, const MeshReport& first_report,
+                              const TriangleMesh& second, const MeshReport& second_report);
+
+}  // namespace counterpart::cli

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "align/elastic_surface.hpp"
+
+#include "base/parallel.hpp"
+#include "numerics/nearest_neighbors.hpp"
+#include "numerics/rotation.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/adjacency.hpp>
+
+#include <algorithm>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+
+namespace counterpart::align {
+namespace {
+
+// Cotangents of both sides' angles are kept within these: negative ones (obtuse triangles) would reward
+// stretching, huge ones (slivers) drown the rest.
+constexpr double least_weight = 0.05, largest_weight = 10;
+// A neighborhood's scale: limbs of two individuals are not equally thick, but nothing may vanish.
+constexpr double least_scale = 0.5, largest_scale = 2;
+// Of a link between components, as strong as an edge.
+constexpr double link_weight = 1;
+// Holds what nothing else holds: far below any pull.
+constexpr double anchor = 1e-9;
+
+struct LocalShape {
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    double scale = 1;
+
+    Eigen::Matrix3d linear() const { return scale * rotation.toRotationMatrix(); }
+};
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add_weight(Triplets& entries, Index a, Index b, double weight) {
+    entries.emplace_back(a, b, -weight);
+    entries.emplace_back(b, a, -weight);
+    entries.emplace_back(a, a, weight);
+    entries.emplace_back(b, b, weight);
+}
+
+// Eyes and teeth go with what they sit in: a few vertices of each component but the largest are linked to the
+// nearest vertices of larger ones.
+void add_links(MeshView mesh, Triplets& entries) {
+    const Components components = connected_components(Adjacency(mesh));
+    if (components.count <= 1) return;
+    std::vector<std::vector<Index>> members(static_cast<std::size_t>(components.count));
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        members[static_cast<std::size_t>(components.of_vertex[static_cast<std::size_t>(v)])].push_back(v);
+    const auto& body = *std::max_element(members.begin(), members.end(),
+                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const numerics::NearestNeighbors nearest(Points(mesh.vertices(body, Eigen::all)));
+    for (const auto& component : members) {
+        if (&component == &body) continue;
+        constexpr std::size_t most_links = 12;
+        const std::size_t step = std::max<std::size_t>(1, component.size() / most_links);
+        for (std::size_t i = 0; i < component.size(); i += step) {
+            const Index other =
+                body[static_cast<std::size_t>(nearest.closest(mesh.vertices.row(component[i])).index)];
+            add_weight(entries, component[i], other, link_weight);
+        }
+    }
+}
+
+SparseMatrix stiffness_of(MeshView mesh) {
+    Triplets entries;
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        for (int c = 0; c < 3; ++c) {
+            const Index a = mesh.triangles(t, c), b = mesh.triangles(t, (c + 1) % 3);
+            const Eigen::RowVector3d apex = mesh.vertices.row(mesh.triangles(t, (c + 2) % 3));
+            const Eigen::RowVector3d u = mesh.vertices.row(a) - apex, v = mesh.vertices.row(b) - apex;
+            const double sine = u.cross(v).norm();
+            const double weight =
+                std::clamp(sine > 0 ? 0.5 * u.dot(v) / sine : 0.0, least_weight, largest_weight);
+            if (a != b) add_weight(entries, a, b, weight);
+        }
+    }
+    add_links(mesh, entries);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) entries.emplace_back(v, v, anchor);
+    SparseMatrix matrix(mesh.n_vertices(), mesh.n_vertices());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+}  // namespace
+
+struct ElasticSurface::System {
+    Points rest;
+    SparseMatrix stiffness;
+    Eigen::SimplicialLDLT<SparseMatrix> factor;
+    std::vector<LocalShape> shapes;
+
+    void follow(PointsView now) {
+        parallel_for(shapes.size(), 256, [&](std::size_t i) {
+            const auto v = static_cast<Eigen::Index>(i);
+            Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+            double squares = 0;
+            for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
+                if (it.row() == v) continue;
+                const Eigen::RowVector3d before = rest.row(it.row()) - rest.row(v);
+                covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() * before;
+                squares -= it.value() * before.squaredNorm();
+            }
+            LocalShape& mine = shapes[i];
+            mine.rotation = numerics::follow_rotation(covariance, mine.rotation);
+            if (squares > 0)
+                mine.scale =
+                    std::clamp(mine.rotation.toRotationMatrix().cwiseProduct(covariance).sum() / squares,
+                               least_scale, largest_scale);
+        });
+    }
+
+    // sum_j w_ij (s_i R_i + s_j R_j) / 2 (rest_i - rest_j) for every i.
+    Eigen::MatrixXd moved_differences() const {
+        std::vector<Eigen::Matrix3d> linear(shapes.size());
+        for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = shapes[i].linear();
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rest.rows(), 3);
+        parallel_for(linear.size(), 256, [&](std::size_t i) {
+            const auto v = static_cast<Eigen::Index>(i);
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
+                if (it.row() == v) continue;
+                const Eigen::Matrix3d mean = (linear[i] + linear[static_cast<std::size_t>(it.row())]) / 2;
+                sum -= it.value() * (rest.row(v) - rest.row(it.row())) * mean.transpose();
+            }
+            result.row(v) = sum;
+        });
+        return result;
+    }
+};
+
+ElasticSurface::ElasticSurface(MeshView rest) : system_(std::make_unique<System>()) {
+    system_->rest = rest.vertices;
+    system_->stiffness = stiffness_of(rest);
+    system_->factor.analyzePattern(system_->stiffness);
+    system_->shapes.resize(static_cast<std::size_t>(rest.n_vertices()));
+}
+
+ElasticSurface::~ElasticSurface() = default;
+
+Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView start, int rounds) {
+    SparseMatrix sum = system_->stiffness;
+    for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
+    system_->factor.factorize(sum);
+    if (system_->factor.info() != Eigen::Success)
+        throw NumericalError("fit: the elastic system cannot be factorized");
+    Eigen::MatrixXd pulled = anchor * start;
+    for (Eigen::Index v = 0; v < pull.size(); ++v)
+        if (pull[v] > 0) pulled.row(v) += pull[v] * towards.row(v);
+    Points now = start;
+    for (int round = 0; round < rounds; ++round) {
+        system_->follow(now);
+        const Eigen::MatrixXd right = pulled + system_->moved_differences();
+        now = system_->factor.solve(right);
+    }
+    return now;
+}
+
+}  // namespace counterpart::align

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "align/elastic_surface.hpp"
+#include "align/tuning.hpp"
+#include "base/parallel.hpp"
+#include "numerics/closest_triangle.hpp"
+
+#include <counterpart/align/fit_surface.hpp>
+#include <counterpart/align/transform.hpp>
+#include <counterpart/base/errors.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+using namespace align;
+
+void require_fit(MeshView model, MeshView scan, const SurfaceMap& map, const FitOptions& options) {
+    require_valid(model);
+    require_valid(scan);
+    require_valid(map, model.n_vertices(), scan.n_triangles());
+    if (!(options.stiffness >= 0.1 && options.stiffness <= 10))
+        throw InvalidInput(fmt::format("fit: stiffness must be from 0.1 to 10, not {}", options.stiffness));
+    if (!(options.reach > 0)) throw InvalidInput("fit: reach must be above 0");
+    for (const auto& [from, to] : options.landmarks) {
+        if (from < 0 || from >= model.n_vertices() || to < 0 || to >= scan.n_vertices())
+            throw InvalidInput(
+                fmt::format("fit: landmark {} -> {} is out of range: the meshes have {} and {} vertices",
+                            from, to, model.n_vertices(), scan.n_vertices()));
+    }
+}
+
+// Pairs of triangles across an edge, as rows of triangle numbers.
+std::vector<std::pair<Index, Index>> neighbor_triangles(TrianglesView triangles) {
+    std::vector<std::tuple<Index, Index, Index>> sides;
+    for (Index t = 0; t < triangles.rows(); ++t)
+        for (int c = 0; c < 3; ++c) {
+            const auto [a, b] = std::minmax(triangles(t, c), triangles(t, (c + 1) % 3));
+            sides.emplace_back(a, b, t);
+        }
+    std::sort(sides.begin(), sides.end());
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        const auto& [a, b, t] = sides[i - 1];
+        const auto& [c, d, u] = sides[i];
+        if (a == c && b == d) pairs.emplace_back(t, u);
+    }
+    return pairs;
+}
+
+// Which vertices of the scan are at the rim of a hole.
+std::vector<char> rim_of(MeshView mesh) {
+    std::vector<std::pair<Index, Index>> sides;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c) {
+            const auto [a, b] = std::minmax(mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3));
+            sides.emplace_back(a, b);
+        }
+    std::sort(sides.begin(), sides.end());
+    std::vector<char> rim(static_cast<std::size_t>(mesh.n_vertices()), 0);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const bool alone =
+            (i == 0 || sides[i] != sides[i - 1]) && (i + 1 == sides.size() || sides[i] != sides[i + 1]);
+        if (!alone) continue;
+        rim[static_cast<std::size_t>(sides[i].first)] = 1;
+        rim[static_cast<std::size_t>(sides[i].second)] = 1;
+    }
+    return rim;
+}
+
+// One fit: positions, and what draws them.
+class SurfaceFit {
+  public:
+    SurfaceFit(MeshView model, MeshView scan, const SurfaceMap& map, const FitOptions& options)
+        : options_(options),
+          scan_(scan),
+          rest_(similar(model, scan, map)),
+          now_(rest_.vertices),
+          area_(vertex_areas(rest_)),
+          rest_triangle_area_(triangle_areas(rest_)),
+          neighbors_(neighbor_triangles(model.triangles)),
+          closest_(scan.vertices, scan.triangles),
+          rim_(rim_of(scan)),
+          size_((scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm()),
+          hold_(Vector::Ones(model.n_vertices())),
+          elastic_(rest_) {
+        own_folds_ = folded(now_);
+        orientation_ = orientation(map);
+    }
+
+    FitResult run(const SurfaceMap& map) {
+        const double finest = options_.stiffness * mean_edge_length(rest_);
+        int done = 0;
+        const int all = static_cast<int>(map_lengths.size()) + surface_levels + let_go_rounds;
+        const auto tick = [&] { report_progress(options_.progress, static_cast<double>(++done) / all); };
+        for (const double length : map_lengths) {
+            towards_images(map, std::max(length * size_, finest));
+            tick();
+        }
+        const double first = std::max(map_lengths.back() * size_, finest);
+        for (int level = 0; level < surface_levels; ++level) {
+            const double share = static_cast<double>(level) / (surface_levels - 1);
+            const double length = first * std::pow(finest / first, share);
+            for (int round = 0; round < rounds_per_level; ++round) {
+                towards_surface(length);
+                let_go(recovery);
+            }
+            tick();
+        }
+        for (int round = 0; round < let_go_rounds; ++round) {
+            if (!let_go(1)) break;
+            towards_surface(finest);
+            tick();
+        }
+        report_progress(options_.progress, 1);
+        return measured();
+    }
+
+  private:
+    // The template moved onto its images as a whole.
+    static TriangleMesh similar(MeshView model, MeshView scan, const SurfaceMap& map) {
+        std::vector<Index> matched;
+        for (Index v = 0; v < model.n_vertices(); ++v)
+            if (map[v].matched()) matched.push_back(v);
+        if (matched.size() < 3)
+            throw InvalidInput("fit: the map matches fewer than three vertices of the template");
+        const Points images = image_positions(map, scan);
+        const Affine whole = fit_transform(Points(model.vertices(matched, Eigen::all)),
+                                           Points(images(matched, Eigen::all)), TransformModel::similarity);
+        return {whole(Points(model.vertices)), model.triangles};
+    }
+
+    // +1 or -1 where the two surfaces' normals agree or disagree; 0 where the scan's are not to be trusted.
+    int orientation(const SurfaceMap& map) {
+        // The pose differs, so it takes the template in the scan's pose to tell.
+        towards_images(map, map_lengths.front() * size_);
+        const Points normals = vertex_normals({now_, rest_.triangles});
+        double sum = 0, count = 0;
+        for (Index v = 0; v < map.source_size(); ++v) {
+            if (!map[v].matched()) continue;
+            sum += normals.row(v).dot(closest_.normals().row(map[v].triangle)) > 0 ? 1 : -1;
+            ++count;
+        }
+        constexpr double trusted = 0.4;  // of agreeing less disagreeing normals
+        return std::abs(sum) < trusted * count ? 0 : sum > 0 ? 1 : -1;
+    }
+
+    void add_landmarks(Points& towards, Vector& pull, double length) const {
+        for (const auto& [from, to] : options_.landmarks) {
+            towards.row(from) = scan_.vertices.row(to);
+            pull[from] = landmark_weight * area_.mean() / (length * length);
+        }
+    }
+
+    void towards_images(const SurfaceMap& map, double length) {
+        Points towards = image_positions(map, scan_);
+        Vector pull = Vector::Zero(now_.rows());
+        const double doubtful = image_doubt * size_;
+        for (Index v = 0; v < map.source_size(); ++v) {
+            if (!map[v].matched()) continue;
+            const double off = (towards.row(v) - now_.row(v)).norm() / doubtful;
+            const double trust = has_moved_ ? 1 / (1 + off * off) : 1;
+            pull[v] = trust * area_[v] / (length * length);
+        }
+        add_landmarks(towards, pull, length);
+        now_ = elastic_.drawn(towards, pull, now_, rounds_per_map_length);
+        has_moved_ = true;
+    }
+
+    void towards_surface(double length) {
+        const Points normals = vertex_normals({now_, rest_.triangles});
+        Points towards = now_;
+        Vector pull = Vector::Zero(now_.rows());
+        reached_.assign(static_cast<std::size_t>(now_.rows()), 0);
+        parallel_for(reached_.size(), 64, [&](std::size_t i) {
+            const auto v = static_cast<Eigen::Index>(i);
+            const Eigen::Vector3d normal = orientation_ * normals.row(v).transpose();
+            const numerics::ClosestPoint found =
+                orientation_ == 0
+                    ? closest_.closest(now_.row(v).transpose(), options_.reach * size_)
+                    : closest_.closest(now_.row(v).transpose(), normal, least_cosine, options_.reach * size_);
+            if (found.triangle < 0 || is_at_rim(found)) return;
+            reached_[i] = 1;
+            towards.row(v) = closest_.position(found).transpose();
+            pull[v] = hold_[v] * area_[v] / (length * length);
+        });
+        add_landmarks(towards, pull, length);
+        now_ = elastic_.drawn(towards, pull, now_, 1);
+    }
+
+    bool is_at_rim(const numerics::ClosestPoint& point) const {
+        for (int c = 0; c < 3; ++c)
+            if (point.weights[c] > 0 && !rim_[static_cast<std::size_t>(scan_.triangles(point.triangle, c))])
+                return false;
+        return true;
+    }
+
+    std::vector<char> folded(PointsView vertices) const {
+        const Points normals = triangle_normals({vertices, rest_.triangles});
+        std::vector<char> result(neighbors_.size(), 0);
+        for (std::size_t e = 0; e < neighbors_.size(); ++e)
+            result[e] = normals.row(neighbors_[e].first).dot(normals.row(neighbors_[e].second)) < 0;
+        return result;
+    }
+
+    // The corners of triangles that collapse or fold hold less to the scan, the others more again by
+    // `recover`; whether there are such triangles.
+    bool let_go(double recover) {
+        const Vector areas = triangle_areas({now_, rest_.triangles});
+        const double whole = areas.sum() / rest_triangle_area_.sum();
+        std::vector<char> bad(static_cast<std::size_t>(areas.size()), 0);
+        for (Eigen::Index t = 0; t < areas.size(); ++t)
+            bad[static_cast<std::size_t>(t)] = areas[t] < collapsing * whole * rest_triangle_area_[t];
+        const std::vector<char> folds = folded(now_);
+        for (std::size_t e = 0; e < neighbors_.size(); ++e) {
+            if (!folds[e] || own_folds_[e]) continue;
+            bad[static_cast<std::size_t>(neighbors_[e].first)] = 1;
+            bad[static_cast<std::size_t>(neighbors_[e].second)] = 1;
+        }
+        std::vector<char> touched(static_cast<std::size_t>(now_.rows()), 0);
+        bool any = false;
+        for (Index t = 0; t < rest_.n_triangles(); ++t) {
+            if (!bad[static_cast<std::size_t>(t)]) continue;
+            any = true;
+            for (const Index v : rest_.triangles.row(t)) touched[static_cast<std::size_t>(v)] = 1;
+        }
+        for (Eigen::Index v = 0; v < hold_.size(); ++v)
+            hold_[v] = touched[static_cast<std::size_t>(v)] ? hold_[v] * letting_go
+                                                            : std::min(1.0, hold_[v] * recover);
+        return any;
+    }
+
+    FitResult measured() const {
+        FitResult result;
+        result.vertices = now_;
+        result.distance.resize(now_.rows());
+        parallel_for(static_cast<std::size_t>(now_.rows()), 64, [&](std::size_t i) {
+            const auto v = static_cast<Eigen::Index>(i);
+            result.distance[v] = std::sqrt(closest_.closest(now_.row(v).transpose()).squared_distance);
+        });
+        const auto share = [&](const std::vector<char>& folds) {
+            return folds.empty() ? 0.0
+                                 : static_cast<double>(std::count(folds.begin(), folds.end(), 1)) /
+                                       static_cast<double>(folds.size());
+        };
+        result.folded_edges = share(folded(now_));
+        result.own_folded_edges = share(own_folds_);
+        const Vector areas = triangle_areas({now_, rest_.triangles});
+        const double whole = areas.sum() / rest_triangle_area_.sum();
+        result.least_area_ratio = 1;
+        for (Eigen::Index t = 0; t < areas.size(); ++t)
+            if (rest_triangle_area_[t] > 0)
+                result.least_area_ratio =
+                    std::min(result.least_area_ratio, areas[t] / rest_triangle_area_[t] / whole);
+        result.n_free = static_cast<Index>(std::count(reached_.begin(), reached_.end(), 0));
+        return result;
+    }
+
+    const FitOptions& options_;
+    const MeshView scan_;
+    const TriangleMesh rest_;
+    Points now_;
+    const Vector area_, rest_triangle_area_;
+    const std::vector<std::pair<Index, Index>> neighbors_;
+    const numerics::ClosestTriangle closest_;
+    const std::vector<char> rim_;
+    const double size_;
+    Vector hold_;  // 1: to the scan as much as its area says; less where the surface would be spoiled
+    ElasticSurface elastic_;
+    std::vector<char> own_folds_, reached_;
+    int orientation_ = 0;
+    bool has_moved_ = false;
+};
+
+}  // namespace
+
+FitResult fit_surface(MeshView model, MeshView scan, const SurfaceMap& scan_from_model,
+                      const FitOptions& options) {
+    require_fit(model, scan, scan_from_model, options);
+    FitResult result;
+    with_threads(options.n_threads,
+                 [&] { result = SurfaceFit(model, scan, scan_from_model, options).run(scan_from_model); });
+    return result;
+}
+
+}  // namespace counterpart

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/expect_error.hpp"
+
+#include <counterpart/align/fit_surface.hpp>
+#include <counterpart/align/transform.hpp>
+#include <counterpart/base/errors.hpp>
+#include <counterpart/map/surface_map.hpp>
+#include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+TriangleMesh template_body() { return make_body({.subdivisions = 1}); }
+
+TriangleMesh bent(const TriangleMesh& mesh) {
+    DeformOptions options;
+    options.bend = 0.5;
+    return deform(mesh, options);
+}
+
+double diagonal(const TriangleMesh& mesh) {
+    return (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
+}
+
+TEST(FitSurface, RefusesWhatDoesNotFit) {
+    const TriangleMesh mesh = template_body();
+    const SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), mesh);
+    test::expect_error<InvalidInput>([&] { fit_surface(mesh, mesh, map, {.stiffness = 0}); }, "stiffness");
+    test::expect_error<InvalidInput>([&] { fit_surface(mesh, mesh, map, {.reach = 0}); }, "reach");
+    test::expect_error<InvalidInput>(
+        [&] {
+            fit_surface(mesh, mesh, map, {.landmarks = {{0, mesh.n_vertices()}}});
+        },
+        "landmark");
+    SurfaceMap empty = map;
+    for (SurfacePoint& point : empty.image) point = {};
+    test::expect_error<InvalidInput>([&] { fit_surface(mesh, mesh, empty); }, "fewer than three");
+    empty.image.pop_back();
+    EXPECT_THROW(fit_surface(mesh, mesh, empty), InvalidInput);
+}
+
+TEST(FitSurface, LiesOnTheScanWithoutFolds) {
+    const TriangleMesh mesh = template_body(), scan = bent(mesh);
+    const FitResult fit = fit_surface(mesh, scan, surface_map_of(identity_map(mesh.n_vertices()), scan));
+    EXPECT_LT(fit.distance.mean(), 0.003 * diagonal(scan));
+    EXPECT_LE(fit.folded_edges, fit.own_folded_edges + 0.003);
+    EXPECT_GT(fit.least_area_ratio, 0.01);
+}
+
+TEST(FitSurface, FollowsItsSurroundingsWhereTheMapAndTheScanEnd) {
+    const TriangleMesh mesh = template_body();
+    TriangleMesh scan = bent(mesh);
+    SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), scan);
+    const double cut = scan.vertices.col(1).maxCoeff() - 0.2 * diagonal(scan);
+    std::vector<Index> kept;
+    for (Index t = 0; t < scan.n_triangles(); ++t)
+        if (scan.vertices(scan.triangles(t, 0), 1) < cut) kept.push_back(t);
+    scan.triangles = Triangles(scan.triangles(kept, Eigen::all));
+    map = surface_map_of(identity_map(mesh.n_vertices()), scan);
+    const FitResult fit = fit_surface(mesh, scan, map);
+    EXPECT_GT(fit.n_free, 0);
+    EXPECT_GT(fit.least_area_ratio, 0.01);
+    // The head is still as tall as it was.
+    EXPECT_GT(fit.vertices.col(1).maxCoeff(), cut + 0.1 * diagonal(mesh));
+}
+
+TEST(FitSurface, LandmarksMeetAndThreadsDoNotMatter) {
+    const TriangleMesh mesh = template_body(), scan = bent(mesh);
+    const SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), scan);
+    const FitOptions one{.landmarks = {{10, 10}, {200, 200}}, .n_threads = 1};
+    FitOptions two = one;
+    two.n_threads = 2;
+    const FitResult fit = fit_surface(mesh, scan, map, one);
+    for (const auto& [from, to] : one.landmarks)
+        EXPECT_LT((fit.vertices.row(from) - scan.vertices.row(to)).norm(), 0.005 * diagonal(scan));
+    EXPECT_EQ(fit.vertices, fit_surface(mesh, scan, map, two).vertices);
+}
+
+}  // namespace
+}  // namespace counterpart
