@@ -91,6 +91,7 @@ class SurfaceFit {
           size_((scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm()),
           hold_(Vector::Ones(model.n_vertices())),
           elastic_(rest_) {
+        for (const SurfacePoint& point : map.image) matched_.push_back(point.matched());
         own_folds_ = folded(now_);
         orientation_ = orientation(map);
     }
@@ -182,10 +183,11 @@ class SurfaceFit {
         parallel_for(reached_.size(), 64, [&](std::size_t i) {
             const auto v = static_cast<Eigen::Index>(i);
             const Eigen::Vector3d normal = orientation_ * normals.row(v).transpose();
+            const double radius =
+                std::min(options_.reach * size_, length * (matched_[i] ? matched_reach : unmatched_reach));
             const numerics::ClosestPoint found =
-                orientation_ == 0
-                    ? closest_.closest(now_.row(v).transpose(), options_.reach * size_)
-                    : closest_.closest(now_.row(v).transpose(), normal, least_cosine, options_.reach * size_);
+                orientation_ == 0 ? closest_.closest(now_.row(v).transpose(), radius)
+                                  : closest_.closest(now_.row(v).transpose(), normal, least_cosine, radius);
             if (found.triangle < 0 || is_at_rim(found)) return;
             reached_[i] = 1;
             towards.row(v) = closest_.position(found).transpose();
@@ -274,7 +276,7 @@ class SurfaceFit {
     const double size_;
     Vector hold_;  // 1: to the scan as much as its area says; less where the surface would be spoiled
     ElasticSurface elastic_;
-    std::vector<char> own_folds_, reached_;
+    std::vector<char> matched_, own_folds_, reached_;
     int orientation_ = 0;
     bool has_moved_ = false;
 };

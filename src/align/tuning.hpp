@@ -16,6 +16,9 @@ constexpr double image_doubt = 0.05;
 
 /// Lengths between the last of the map's and the finest, and drawings at each.
 constexpr int surface_levels = 6, rounds_per_level = 4;
+/// How far a vertex is drawn, in the length of the level: one that the map leaves out hardly at all, or a
+/// missing head is drawn down to the shoulders.
+constexpr double matched_reach = 3, unmatched_reach = 0.5;
 /// Between the normals of the template and of the scan's triangle that it is drawn to.
 constexpr double least_cosine = 0.5;
 
