@@ -20,9 +20,6 @@ namespace {
 // Shares of the progress bar: the exact tests take milliseconds where spectral takes seconds.
 constexpr double exact_ends = 0.02, differences_end = 0.05;
 
-// Automatic takes a mesh with a boundary of this length, over the square root of its area, for a part.
-constexpr double min_openness = 0.5;
-
 // A method that turns out not to work has already reported; the next one begins where it did.
 Progress never_decreasing(const Progress& progress) {
     if (!progress) return {};
@@ -193,13 +190,13 @@ class Matching {
         const double open = std::max(partial_match::openness(source_), partial_match::openness(target_));
         if (is_said) {
             reason_ += fmt::format("; part: {}", to_string(options_.partial.part));
-        } else if (open > min_openness) {
+        } else if (open > partial_match::open_part) {
             reason_ += fmt::format(
                 "; a mesh is open: its boundary is {:.2g} times as long as the square root of "
                 "its area",
                 open);
         }
-        return is_said || open > min_openness;
+        return is_said || open > partial_match::open_part;
     }
 
     void partial(double begin) {

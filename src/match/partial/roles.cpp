@@ -18,8 +18,7 @@ double openness(MeshView mesh) {
 }
 
 Part seen_part(MeshView source, MeshView target) {
-    constexpr double open = 0.1;  // a hole of this girth: eyes and nostrils are smaller
-    const bool a = openness(source) > open, b = openness(target) > open;
+    const bool a = openness(source) > open_part, b = openness(target) > open_part;
     if (a && b) return Part::both;
     if (a) return Part::source;
     return b ? Part::target : Part::neither;
