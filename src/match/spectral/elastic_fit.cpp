@@ -113,4 +113,21 @@ Points ElasticFit::operator()(PointsView towards, PointsView start, double stiff
     return now;
 }
 
+double ElasticFit::strain(PointsView now) const {
+    std::vector<Similarity> similarities;
+    follow(similarities, system_->stiffness, system_->rest, now, system_->min_scale, system_->max_scale);
+    double left = 0, all = 0;
+    for (std::size_t i = 0; i < similarities.size(); ++i) {
+        const auto v = static_cast<Eigen::Index>(i);
+        for (SparseMatrix::InnerIterator it(system_->stiffness, v); it; ++it) {
+            if (it.row() == v) continue;
+            const Eigen::RowVector3d before = system_->rest.row(it.row()) - system_->rest.row(v),
+                                     after = now.row(it.row()) - now.row(v);
+            left -= it.value() * (after - before * similarities[i].linear().transpose()).squaredNorm();
+            all -= it.value() * after.squaredNorm();
+        }
+    }
+    return all > 0 && std::isfinite(left) ? std::clamp(left / all, 0.0, 1.0) : 1;
+}
+
 }  // namespace counterpart::spectral_match

@@ -52,11 +52,25 @@ TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
     EXPECT_GT(largest_distance(fit(rough, rough, 50, 10), bent.vertices), 1.5 * noise);
 }
 
+TEST(SpectralElasticFit, StrainSeesWhatIsNoSimilarity) {
+    const TriangleMesh mesh = banana(0.4);
+    const ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
+    EXPECT_LT(fit.strain(Points(2 * mesh.vertices)), 1e-9);
+    EXPECT_LT(fit.strain(Points(mesh.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal())),
+              1e-9);  // a half-turn
+    Points flat = mesh.vertices;
+    flat.col(2) *= 0.2;
+    EXPECT_GT(fit.strain(flat), 0.05);
+    EXPECT_LT(fit.strain(banana(0.5).vertices), fit.strain(banana(1.0).vertices));
+}
+
 TEST(SpectralElasticFit, AFlatSurfaceMayTurnHalfRound) {
     const TriangleMesh grid = make_grid(8, 8);
     ElasticFit fit(grid.vertices, laplace_beltrami(grid));
     const Points turned = grid.vertices * Eigen::Vector3d(-1, -1, 1).asDiagonal();
+    EXPECT_LT(fit.strain(turned), 1e-9);
     EXPECT_LT(largest_distance(fit(turned, turned, 1, 5), turned), 1e-6);
+    EXPECT_EQ(fit.strain(Points(Points::Zero(grid.n_vertices(), 3))), 1);
 }
 
 // Maps that are off by a slide along x of up to `slide`, both ways.
