@@ -12,7 +12,7 @@ from ._arrays import FloatArray, IntArray, integers
 from ._calls import ProgressLike, Result, reporting
 from ._meshes import MeshLike, core_mesh
 
-Method = Literal["auto", "exact", "frontiers", "spectral", "nearest", "assignment"]
+Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "nearest", "assignment"]
 Pairing = Literal["closest", "mutual", "optimal"]
 
 

@@ -99,11 +99,11 @@ nb::dict dictionary(MatchResult result) {
 
 MatchMethod method_from_name(const std::string& name) {
     if (name == "auto") return MatchMethod::automatic;
-    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::spectral,
-                                     MatchMethod::nearest, MatchMethod::assignment})
+    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial,
+                                     MatchMethod::spectral, MatchMethod::nearest, MatchMethod::assignment})
         if (name == to_string(method)) return method;
     throw InvalidInput("there is no method '" + name +
-                       "': auto, exact, frontiers, spectral, nearest or assignment");
+                       "': auto, exact, frontiers, partial, spectral, nearest or assignment");
 }
 
 Pairing pairing_from_name(const std::string& name) {
