@@ -112,9 +112,9 @@ test("every mode looks different, on both meshes, without complaint", async () =
 test("several maps: the list switches, and errors and unmatched vertices are told", async () => {
   const { page, context } = await open(browser, file);
   assert.deepEqual(await page.locator("#map option").allInnerTexts(), ["truth", "worse"]);
-  assert.match(await page.locator("#stats").innerText(), /100\.0 % exact/);
+  assert.match(await page.locator("#stats").innerText(), /100\.00 % exact/);
   await page.selectOption("#map", "1");
-  assert.doesNotMatch(await page.locator("#stats").innerText(), /100\.0 % exact/);
+  assert.doesNotMatch(await page.locator("#stats").innerText(), /100\.00 % exact/);
   await page.fill("#vertex", "14");
   assert.deepEqual((await highlighted(page)).target, [pair.worse[14]]);
   assert.match(await answer(page), new RegExp(`error [0-9.]+ % of √area · truth ${pair.truth[14]}\\b`));
