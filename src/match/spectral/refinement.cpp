@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/refinement.hpp"
 
+#include "base/parallel.hpp"
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/restricted_nearest.hpp"
 
