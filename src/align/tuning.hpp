@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Constants of fit_surface, chosen on FAUST 000 to 001 .. 009 and the lion of SMAL to every third animal.
+// Constants of fit_surface, set by hand with a few people (FAUST) and a lion to other animals (SMAL) in
+// sight; not swept.
 #pragma once
 
 #include <array>

@@ -104,7 +104,8 @@ struct TearTuning {
     double min_gain = 0;  ///< of the total, to keep a torn map
 };
 
-/// Which of the ways in which a part fits is taken. Fitted on pairs with right and wrong ways.
+/// Which of the ways in which a part fits is taken. Set by hand after a look at pairs with right
+/// and wrong ways; not fitted.
 struct ChoiceTuning {
     double agreement = 0.5;    ///< weight of the agreement of distances, against 1 for likeness
     double strain = 0.03;      ///< of the logarithm of the strain, taken off

@@ -174,7 +174,8 @@ struct TrialTuning {
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
-    // Fitted by scripts/fit_choice.py; doubtful rather than sure, where maps of unlike animals are concerned.
+    // By hand, from a few settings that scripts/fit_choice.py judged on 33 pairs (people, hippo, gorilla
+    // among them); doubtful rather than sure, where maps of unlike animals are concerned.
     double half_score = 0.6;  ///< at which a map is trusted by half: right maps of people score 0.83 to 0.98,
                               ///< of unlike animals 0.35 to 0.6, wrong ones of man and gorilla up to 0.5
     double score_width = 0.07;  ///< of the logistic curve around it, 0.03 to 0.1 tried
