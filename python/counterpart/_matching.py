@@ -215,7 +215,8 @@ def match(
         "auto" tries, in this order: the same connectivity (exact); nearly the same (what the meshes share, the gaps
         filled); else spectral; where that cannot work, the nearest vertices after a similarity alignment.
     landmarks : array_like of int, (n, 2), optional
-        Known pairs (source vertex, target vertex), one or more: they guide the search of the spectral method and hold exactly.
+        Known pairs (source vertex, target vertex), one or more: they guide the search of the spectral
+        method and hold exactly.
     symmetric : bool
         Return the map that swaps left and right, on purpose.
     allow_mirror : bool
