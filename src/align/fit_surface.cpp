@@ -42,7 +42,7 @@ std::vector<std::pair<Index, Index>> neighbor_triangles(TrianglesView triangles)
     std::vector<std::tuple<Index, Index, Index>> sides;
     for (Index t = 0; t < triangles.rows(); ++t)
         for (int c = 0; c < 3; ++c) {
-            const auto [a, b] = std::minmax(triangles(t, c), triangles(t, (c + 1) % 3));
+            const auto [a, b] = std::minmax({triangles(t, c), triangles(t, (c + 1) % 3)});
             sides.emplace_back(a, b, t);
         }
     std::sort(sides.begin(), sides.end());
@@ -60,7 +60,7 @@ std::vector<char> rim_of(MeshView mesh) {
     std::vector<std::pair<Index, Index>> sides;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {
-            const auto [a, b] = std::minmax(mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3));
+            const auto [a, b] = std::minmax({mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3)});
             sides.emplace_back(a, b);
         }
     std::sort(sides.begin(), sides.end());
