@@ -20,6 +20,7 @@ from ._maps import (
     MapLike,
     MapQuality,
     SurfaceMap,
+    complete_map,
     compose_maps,
     evaluate,
     invert_map,
@@ -30,7 +31,7 @@ from ._maps import (
     transfer_values,
     write_map,
 )
-from ._matching import (
+from ._match_results import (
     Alternative,
     Count,
     Differences,
@@ -38,16 +39,11 @@ from ._matching import (
     ExactResult,
     FrontiersResult,
     MatchResult,
+    PartialAlternative,
+    PartialResult,
     SpectralResult,
-    SpectralShape,
-    find_differences,
-    match,
-    match_assignment,
-    match_exact,
-    match_frontiers,
-    match_nearest,
-    match_spectral,
 )
+from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
 from ._meshes import (
     Mesh,
     MeshLike,
@@ -66,6 +62,7 @@ from ._meshes import (
     write,
 )
 from ._pictures import Picture, View, render, view
+from ._shape_matching import SpectralShape, match_partial, match_spectral
 from ._spectral import (
     Spectrum,
     ZoomOutResult,
@@ -79,10 +76,12 @@ from ._spectral import (
 )
 from ._transfer import (
     AlignResult,
+    FitResult,
     MorphResult,
     ReorderResult,
     TransferResult,
     align,
+    fit,
     morph,
     reorder,
     transfer,
@@ -101,6 +100,7 @@ __all__ = [
     "Edit",
     "Evaluation",
     "ExactResult",
+    "FitResult",
     "FloatArray",
     "FrontiersResult",
     "IntArray",
@@ -113,6 +113,8 @@ __all__ = [
     "MeshLike",
     "MorphResult",
     "NumericalError",
+    "PartialAlternative",
+    "PartialResult",
     "Picture",
     "ProgressLike",
     "ReorderResult",
@@ -125,11 +127,13 @@ __all__ = [
     "View",
     "ZoomOutResult",
     "align",
+    "complete_map",
     "compose_maps",
     "deform",
     "distances",
     "evaluate",
     "find_differences",
+    "fit",
     "functional_map",
     "heat_kernel_signature",
     "inspect",
@@ -144,6 +148,7 @@ __all__ = [
     "match_exact",
     "match_frontiers",
     "match_nearest",
+    "match_partial",
     "match_spectral",
     "morph",
     "move_at_random",

@@ -150,6 +150,12 @@ def invert_map(
         return SurfaceMap(*_core.invert_surface_map(source, target, triangle, weights, n_threads, report))
 
 
+def complete_map(source: MeshLike, target: MeshLike, target_from_source: MapLike) -> SurfaceMap:
+    """The map with its unmatched vertices filled: they follow those around them over the surface."""
+    source, target = core_mesh(source), core_mesh(target)
+    return SurfaceMap(*_core.complete_map(source, target, *surface_map_of(target_from_source, source, target))[0])
+
+
 def nearest_corners(target: MeshLike, target_from_source: SurfaceMap) -> IntArray:
     """The map to the corner that is nearest to each image, (n_source,)."""
     return _core.nearest_corners(

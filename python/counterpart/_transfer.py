@@ -15,7 +15,7 @@ from ._arrays import FloatArray, IntArray, floats
 from ._calls import ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, surface_map_of
-from ._matching import _exact_options
+from ._match_options import exact_options, pairs
 from ._meshes import Mesh, MeshLike, arrays_of, content_of, core_mesh
 
 Kind = Literal["colors", "texture_coordinates", "normals", "skin", "morphs", "materials"]
@@ -132,7 +132,7 @@ def reorder(
     >>> bool((restored.vertices == counterpart.deform(a, bend=0.5).vertices).all())
     True
     """
-    options = _exact_options(allow_mirror, weld_distance, 0, 0)
+    options = exact_options(allow_mirror, weld_distance)
     content, image, notices = _core.reorder(content_of(source), content_of(target), options)
     return ReorderResult(Mesh._of(content), image, notices)
 
@@ -278,3 +278,69 @@ def align(
 def _mean(points: FloatArray) -> FloatArray:
     mean: FloatArray = points.mean(axis=0)
     return mean
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class FitResult(Result):
+    """What `fit` made."""
+
+    vertices: FloatArray
+    """(n_template, 3): of the template, on the scan."""
+    distance: FloatArray
+    """(n_template,): from there to the scan's surface, in mesh units."""
+    folded_edges: float
+    """Share of the edges whose two triangles face away from each other."""
+    own_folded_edges: float
+    """The same of the template itself."""
+    least_area_ratio: float
+    """The least area of a triangle relative to what it has in the template."""
+    n_free: int
+    """Vertices that the scan does not reach, which follow their neighbors."""
+
+
+def fit(
+    template: MeshLike,
+    scan: MeshLike,
+    scan_from_template: MapLike,
+    *,
+    landmarks: Any = None,
+    stiffness: float = 1,
+    reach: float = 0.1,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> FitResult:
+    """The template's mesh, smooth, on the scan's surface.
+
+    Parameters
+    ----------
+    template, scan : MeshLike
+    scan_from_template : MapLike
+        As `match` finds it; what it leaves unmatched follows what is around.
+    landmarks : array_like of int, (n, 2), optional
+        Pairs (template vertex, scan vertex) that must meet.
+    stiffness : float
+        How large a feature of the scan must be to be followed, in edges of the template, 0.1 .. 10.
+    reach : float
+        How far the scan draws, as a fraction of its diagonal.
+    n_threads : int
+    progress : ProgressLike
+
+    Notes
+    -----
+    Sorkine and Alexa 2007; Amberg, Romdhani, Vetter 2007. About O(V^1.5).
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> template, scan = counterpart.make_icosphere(2), counterpart.make_icosphere(3)
+    >>> fitted = counterpart.fit(template, scan, counterpart.match_nearest(template, scan))
+    >>> float(fitted.distance.max()) < 0.01
+    True
+    """
+    ends = core_mesh(template), core_mesh(scan)
+    triangle, weights = surface_map_of(scan_from_template, *ends, n_threads)
+    known = pairs(landmarks, "landmarks")
+    if known is None:
+        known = np.empty((0, 2), np.int32)
+    with reporting(progress, "fitting") as report:
+        return FitResult(**_core.fit(*ends, triangle, weights, known, stiffness, reach, n_threads, report))

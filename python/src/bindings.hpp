@@ -13,6 +13,7 @@ namespace nb = nanobind;
 
 void bind_meshes(nb::module_& module);
 void bind_content(nb::module_& module);
+void bind_match_options(nb::module_& module);
 void bind_matching(nb::module_& module);
 void bind_maps(nb::module_& module);
 void bind_spectral(nb::module_& module);

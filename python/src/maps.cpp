@@ -172,12 +172,6 @@ void bind_maps(nb::module_& module) {
                                       vertex_map_of(c_from_b, most)));
         },
         "b_from_a"_a, "c_from_b"_a);
-    module.def(
-        "invert_map",
-        [](const IndexArray& target_from_source, Index target_size) {
-            return array(invert(vertex_map_of(target_from_source, target_size)));
-        },
-        "target_from_source"_a, "target_size"_a);
 }
 
 }  // namespace counterpart::python

@@ -5,7 +5,6 @@
 #include "call.hpp"
 #include "dictionary.hpp"
 
-#include <counterpart/base/errors.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
@@ -82,6 +81,21 @@ nb::dict dictionary(SpectralResult result) {
                          "warnings", result.warnings, "seconds", seconds_of(result.stages));
 }
 
+nb::dict dictionary(PartialResult result) {
+    nb::list alternatives;
+    for (const PartialAlternative& other : result.alternatives)
+        alternatives.append(dictionary_of("target_from_source", array(other.target_from_source), "score",
+                                          other.score, "moved", other.moved));
+    return dictionary_of("target_from_source", array(result.target_from_source), "source_from_target",
+                         array(result.source_from_target), "confidence", array(std::move(result.confidence)),
+                         "part", to_string(result.part), "scale", result.scale, "source_share",
+                         result.source_share, "target_share", result.target_share, "score", result.score,
+                         "agreement", result.agreement, "margin", result.margin, "alternatives", alternatives,
+                         "source_touching", array(std::move(result.source_touching)), "target_touching",
+                         array(std::move(result.target_touching)), "warnings", result.warnings, "seconds",
+                         seconds_of(result.stages));
+}
+
 template <class Result>
 nb::object dictionary(std::optional<Result> result) {
     return result ? nb::object(dictionary(*std::move(result))) : nb::none();
@@ -94,78 +108,13 @@ nb::dict dictionary(MatchResult result) {
         "warnings", result.warnings, "notices", result.notices, "seconds", seconds_of(result.stages), "exact",
         dictionary(std::move(result.exact)), "differences", dictionary(std::move(result.differences)),
         "frontiers", dictionary(std::move(result.frontiers)), "spectral",
-        dictionary(std::move(result.spectral)));
-}
-
-MatchMethod method_from_name(const std::string& name) {
-    if (name == "auto") return MatchMethod::automatic;
-    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial,
-                                     MatchMethod::spectral, MatchMethod::nearest, MatchMethod::assignment})
-        if (name == to_string(method)) return method;
-    throw InvalidInput("there is no method '" + name +
-                       "': auto, exact, frontiers, partial, spectral, nearest or assignment");
-}
-
-Pairing pairing_from_name(const std::string& name) {
-    if (name == "closest") return Pairing::closest;
-    if (name == "mutual") return Pairing::mutual;
-    if (name == "optimal") return Pairing::optimal;
-    throw InvalidInput("there is no pairing '" + name + "': closest, mutual or optimal");
-}
-
-void bind_options(nb::module_& module) {
-    nb::class_<ExactOptions>(module, "ExactOptions")
-        .def(nb::init<>())
-        .def_rw("allow_mirror", &ExactOptions::allow_mirror)
-        .def_rw("weld_distance", &ExactOptions::weld_distance)
-        .def_rw("max_alternatives", &ExactOptions::max_alternatives)
-        .def_rw("n_threads", &ExactOptions::n_threads);
-    nb::class_<FrontiersOptions>(module, "FrontiersOptions")
-        .def(nb::init<>())
-        .def_rw("source_seed", &FrontiersOptions::source_seed)
-        .def_rw("target_seed", &FrontiersOptions::target_seed)
-        .def_rw("paper", &FrontiersOptions::paper)
-        .def_rw("vertex_hashes", &FrontiersOptions::vertex_hashes)
-        .def_rw("edge_splits", &FrontiersOptions::edge_splits)
-        .def_prop_rw(
-            "pairing", [](const FrontiersOptions& options) { return static_cast<int>(options.pairing); },
-            [](FrontiersOptions& options, const std::string& name) {
-                options.pairing = pairing_from_name(name);
-            })
-        .def_rw("deformation_threshold", &FrontiersOptions::deformation_threshold)
-        .def_rw("edge_penalty", &FrontiersOptions::edge_penalty)
-        .def_rw("n_threads", &FrontiersOptions::n_threads);
-    nb::class_<SpectralShapeOptions>(module, "SpectralShapeOptions")
-        .def(nb::init<>())
-        .def_rw("basis_size", &SpectralShapeOptions::basis_size)
-        .def_rw("n_samples", &SpectralShapeOptions::n_samples)
-        .def_rw("seed", &SpectralShapeOptions::seed)
-        .def_rw("n_threads", &SpectralShapeOptions::n_threads);
-    nb::class_<SpectralOptions>(module, "SpectralOptions")
-        .def(nb::init<>())
-        .def_prop_rw(
-            "landmarks", [](const SpectralOptions& options) { return options.landmarks.size(); },
-            [](SpectralOptions& options, const PairArray& pairs) { options.landmarks = pairs_of(pairs); })
-        .def_rw("symmetric", &SpectralOptions::symmetric)
-        .def_rw("n_alternatives", &SpectralOptions::n_alternatives)
-        .def_rw("n_threads", &SpectralOptions::n_threads);
-    nb::class_<MatchOptions>(module, "MatchOptions")
-        .def(nb::init<>())
-        .def_prop_rw(
-            "method", [](const MatchOptions& options) { return to_string(options.method); },
-            [](MatchOptions& options, const std::string& name) { options.method = method_from_name(name); })
-        .def_rw("min_shared", &MatchOptions::min_shared)
-        .def_rw("exact", &MatchOptions::exact)
-        .def_rw("frontiers", &MatchOptions::frontiers)
-        .def_rw("spectral", &MatchOptions::spectral)
-        .def_rw("spectral_shape", &MatchOptions::spectral_shape)
-        .def_rw("n_threads", &MatchOptions::n_threads);
+        dictionary(std::move(result.spectral)), "partial", dictionary(std::move(result.partial)));
 }
 
 }  // namespace
 
 void bind_matching(nb::module_& module) {
-    bind_options(module);
+    bind_match_options(module);
     module.def(
         "match",
         [](const Mesh& source, const Mesh& target, MatchOptions options, const nb::object& progress) {
@@ -230,6 +179,15 @@ void bind_matching(nb::module_& module) {
             }));
         },
         "source"_a, "target"_a, "options"_a, "shape"_a, "progress"_a.none());
+    module.def(
+        "match_partial",
+        [](const Mesh& source, const Mesh& target, PartialOptions options, const nb::object& progress) {
+            return dictionary(run(progress, [&](Progress report) {
+                options.progress = std::move(report);
+                return match_partial(source, target, options);
+            }));
+        },
+        "source"_a, "target"_a, "options"_a, "progress"_a.none());
     module.def(
         "match_assignment",
         [](const Mesh& source, const Mesh& target, Index max_vertices, const nb::object& progress) {

@@ -5,6 +5,7 @@
 #include "call.hpp"
 #include "dictionary.hpp"
 
+#include <counterpart/align/fit_surface.hpp>
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
@@ -67,6 +68,23 @@ nb::dict align_icp(const Mesh& source, const Mesh& target, const MatrixArray& st
                       result.rms_distance, result.iterations, result.converged);
 }
 
+nb::dict fit(const Mesh& model, const Mesh& scan, const IndexArray& triangle, const PointArray& weights,
+             const PairArray& landmarks, double stiffness, double reach, int n_threads,
+             const nb::object& progress) {
+    FitResult result = run(progress, [&](Progress report) {
+        return fit_surface(model, scan, surface_map_of(triangle, weights, scan.n_triangles()),
+                           {.stiffness = stiffness,
+                            .reach = reach,
+                            .landmarks = pairs_of(landmarks),
+                            .n_threads = n_threads,
+                            .progress = std::move(report)});
+    });
+    return dictionary_of("vertices", matrix_array(std::move(result.vertices)), "distance",
+                         array(std::move(result.distance)), "folded_edges", result.folded_edges,
+                         "own_folded_edges", result.own_folded_edges, "least_area_ratio",
+                         result.least_area_ratio, "n_free", result.n_free);
+}
+
 nb::dict dictionary(TransferResult result) {
     nb::list attributes;
     for (const TransferredAttribute& attribute : result.attributes)
@@ -81,17 +99,6 @@ nb::dict dictionary(TransferResult result) {
 }
 
 void bind_morph(nb::module_& module) {
-    nb::class_<Morph>(module, "Morph")
-        .def(
-            "__init__",
-            [](Morph* self, const Mesh& first, const PointArray& last, int iterations, int n_threads) {
-                run([&] {
-                    new (self) Morph(first, map_of(last), {.iterations = iterations, .n_threads = n_threads});
-                });
-            },
-            "first"_a, "last"_a, "iterations"_a, "n_threads"_a)
-        .def("at",
-             [](const Morph& self, double time) { return matrix_array(run([&] { return self.at(time); })); });
     module.def(
         "last_pose",
         [](const Mesh& first, const Mesh& last, const IndexArray& triangle, const PointArray& weights) {
@@ -122,6 +129,8 @@ void bind_transfer(nb::module_& module) {
     module.def("align_pairs", align_pairs, "source"_a, "target"_a, "model"_a, "vertices"_a);
     module.def("align_icp", align_icp, "source"_a, "target"_a, "start"_a, "triangle"_a, "weights"_a,
                "model"_a, "max_iterations"_a, "trim"_a, "known_weight"_a, "n_threads"_a, "progress"_a.none());
+    module.def("fit", fit, "model"_a, "scan"_a, "triangle"_a, "weights"_a, "landmarks"_a, "stiffness"_a,
+               "reach"_a, "n_threads"_a, "progress"_a.none());
     module.def(
         "reorder",
         [](const AttributedMesh& source, const AttributedMesh& target, const ExactOptions& options) {

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+import time
 import timeit
 from concurrent.futures import ThreadPoolExecutor
 
@@ -49,8 +50,8 @@ def test_spectral(scans):
     assert counterpart.evaluate(source, target, result, truth).mean_error < 6
 
 
-def test_prepared_shapes(pair):
-    source, target, _ = pair
+def test_prepared_shapes(blobs):
+    source, target = blobs
     quick = {"basis_size": 30, "n_samples": 200}
     expected = counterpart.match_spectral(source, target, **quick).target_from_source
     shape = counterpart.SpectralShape(source, **quick)
@@ -60,14 +61,52 @@ def test_prepared_shapes(pair):
     np.testing.assert_array_equal(both.target_from_source, expected)
 
 
-def test_landmarks(scans):
-    source, target, truth = scans
-    pairs = [(v, truth[v]) for v in range(0, source.n_vertices, source.n_vertices // 8)]
-    assert (
-        counterpart.evaluate(source, target, counterpart.match(source, target, landmarks=pairs), truth).mean_error < 6
-    )
-    with pytest.raises(counterpart.InvalidInput):
-        counterpart.match(source, target, landmarks=[(0, 10**6), (1, 1), (2, 2)])
+def test_landmarks_hold_exactly(blobs):
+    pairs = np.array([(1, 30), (7, 12)])
+    result = counterpart.match(*blobs, "spectral", landmarks=pairs)
+    np.testing.assert_array_equal(result.target_from_source[pairs[:, 0]], pairs[:, 1])
+    soft = counterpart.match(*blobs, "spectral", landmarks=pairs, soft_landmarks=True)
+    assert soft.target_from_source[1] != 30
+    for wrong in ([(0, 10**6)], [(-1, 0)], [0, 1], [(0.5, 1)]):
+        with pytest.raises(counterpart.InvalidInput):
+            counterpart.match(*blobs, "spectral", landmarks=wrong)
+        with pytest.raises(counterpart.InvalidInput):
+            counterpart.match_spectral(*blobs, excluded=wrong)
+
+
+def test_directions(blobs):
+    by_name = counterpart.match_spectral(*blobs, up="-z", facing="x")
+    by_vector = counterpart.match_spectral(*blobs, up=[0, 0, -3], facing=np.array([1, 0, 0], np.float32))
+    np.testing.assert_array_equal(by_name.target_from_source, by_vector.target_from_source)
+    for wrong in ("w", [0, 1], "--x", ["a", "b", "c"], [np.nan, 0, 1]):
+        with pytest.raises(counterpart.InvalidInput, match="up"):
+            counterpart.match_spectral(*blobs, up=wrong)
+    with pytest.raises(counterpart.InvalidInput, match="up"):
+        counterpart.match_spectral(*blobs, facing="x")
+
+
+def test_partial():
+    """The upper half of a body goes where it is on the whole."""
+    whole = counterpart.make_body(1)
+    upper = whole.vertices[whole.triangles, 1].mean(axis=1) > 0.5
+    used = np.unique(whole.triangles[upper])
+    part = counterpart.Mesh(whole.vertices[used], np.searchsorted(used, whole.triangles[upper]))
+    result = counterpart.match_partial(part, whole, same_scale=True)
+    assert result.part == "source" and result.scale == 1 and 0.2 < result.target_share < 0.9 < result.source_share
+    assert counterpart.evaluate(part, whole, result, used).mean_error < 5
+    assert (result.source_from_target < 0).sum() > 200 and len(result.confidence) == part.n_vertices
+    back = counterpart.match(whole, part, "partial", part="target", same_scale=True)
+    assert back.method == "partial" and back.partial.part == "target" and (back.target_from_source < 0).any()
+    filled = counterpart.complete_map(whole, part, back)
+    assert (filled.triangle >= 0).all()
+
+
+def test_bad_options_of_partial(pair):
+    for options in ({"part": "half"}, {"n_samples": 3}, {"n_alternatives": 99}, {"landmarks": [(0, -7)]}):
+        with pytest.raises(counterpart.InvalidInput):
+            counterpart.match_partial(*pair[:2], **options)
+    with pytest.raises(counterpart.UnsuitableMesh):
+        counterpart.match_partial(counterpart.make_grid(1, 1), counterpart.make_grid(1, 1))
 
 
 @pytest.mark.parametrize("method", ["nearest", "assignment"])
@@ -104,9 +143,9 @@ def test_exceptions_are_those_of_python(tmp_path):
         counterpart.write(counterpart.make_grid(), tmp_path / "none" / "a.obj")
 
 
-def test_progress(pair):
+def test_progress(blobs):
     seen = []
-    counterpart.match_spectral(*pair[:2], basis_size=30, n_samples=200, progress=seen.append)
+    counterpart.match_spectral(*blobs, progress=seen.append)
     assert seen and sorted(seen) == seen and seen[0] >= 0 and seen[-1] <= 1
 
 
@@ -128,21 +167,37 @@ def test_bar(pair, capsys):
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals")
-def test_interrupt():
+@pytest.mark.parametrize(
+    "work",
+    [
+        counterpart.match_spectral,
+        counterpart.match_partial,
+        lambda mesh, _: counterpart.distances(mesh),
+        lambda mesh, _: counterpart.spectrum(mesh, 600),
+        lambda mesh, _: counterpart.match_assignment(mesh, counterpart.shuffle(mesh)[0]),
+        lambda mesh, _: counterpart.morph(mesh, mesh, count=10000),
+    ],
+)
+def test_interrupt(work):
+    """Ctrl-C ends long calls promptly."""
     mesh = counterpart.make_body(2)
-    timer = threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT))
+    sent = []
+
+    def interrupt():
+        sent.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
     with pytest.raises(KeyboardInterrupt):
-        timer.start()
+        threading.Timer(0.2, interrupt).start()
         for _ in range(100):
-            counterpart.match_spectral(mesh, mesh)
+            work(mesh, mesh)
+    assert time.perf_counter() - sent[0] < 2  # much less; the machine may be busy
 
 
-def test_eight_threads_give_what_one_gives(pair):
-    source, target, _ = pair
-    quick = {"n_threads": 1, "basis_size": 30, "n_samples": 200}
-    expected = counterpart.match(source, target, "spectral", **quick).target_from_source
+def test_eight_threads_give_what_one_gives(blobs):
+    expected = counterpart.match(*blobs, "spectral", n_threads=1).target_from_source
     with ThreadPoolExecutor(8) as pool:
-        results = list(pool.map(lambda _: counterpart.match(source, target, "spectral", **quick), range(8)))
+        results = list(pool.map(lambda _: counterpart.match(*blobs, "spectral", n_threads=1), range(8)))
     for result in results:
         np.testing.assert_array_equal(result.target_from_source, expected)
 

@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The options of matching, as the library takes them."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, TypeVar
+
+import numpy as np
+
+from . import _core
+from ._arrays import FloatArray, floats, integers
+from ._core import InvalidInput
+
+Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "nearest", "assignment"]
+Pairing = Literal["closest", "mutual", "optimal"]
+Part = Literal["unknown", "source", "target", "both", "neither"]
+Direction = str | Any
+"""An axis, "x", "y", "z", "-x", "-y" or "-z", or three numbers of any length as a vector."""
+
+_Options = TypeVar("_Options")
+
+
+def with_fields(options: _Options, **fields: Any) -> _Options:
+    """The options with these fields set; None leaves a field as it is."""
+    for name, value in fields.items():
+        if value is not None:
+            setattr(options, name, value)
+    return options
+
+
+def exact_options(
+    allow_mirror: bool = False, weld_distance: float | None = None, max_alternatives: int = 0, n_threads: int = 0
+) -> _core.ExactOptions:
+    if weld_distance is not None and not weld_distance >= 0:
+        raise InvalidInput(f"weld_distance must be at least 0, not {weld_distance}")
+    return with_fields(
+        _core.ExactOptions(),
+        allow_mirror=allow_mirror,
+        weld_distance=weld_distance,
+        max_alternatives=max_alternatives,
+        n_threads=n_threads,
+    )
+
+
+def spectral_options(
+    landmarks: Any, excluded: Any, up: Direction | None, facing: Direction | None, **plain: Any
+) -> _core.SpectralOptions:
+    return with_fields(
+        _core.SpectralOptions(),
+        landmarks=pairs(landmarks, "landmarks"),
+        excluded=pairs(excluded, "excluded"),
+        up=direction(up, "up"),
+        facing=direction(facing, "facing"),
+        **plain,
+    )
+
+
+def pairs(values: Any, what: str) -> Any:
+    """Pairs (source vertex, target vertex), n x 2, or None."""
+    return None if values is None else integers(values, what, (-1, 2))
+
+
+def direction(value: Direction | None, what: str) -> FloatArray | None:
+    if value is None:
+        return None
+    if not isinstance(value, str):
+        return floats(value, what, (3,))
+    axis = value.removeprefix("-")
+    if axis not in ("x", "y", "z"):
+        raise InvalidInput(f"{what} must be x, y, z, -x, -y, -z or three numbers, not '{value}'")
+    unit = np.zeros(3)
+    unit["xyz".index(axis)] = -1 if value.startswith("-") else 1
+    return unit

@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Matching by shape, whatever the connectivity: spectral and partial."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _core
+from ._calls import ProgressLike, reporting
+from ._match_options import Direction, Part, pairs, spectral_options, with_fields
+from ._match_results import PartialResult, SpectralResult
+from ._meshes import MeshLike, core_mesh
+
+
+class SpectralShape:
+    """What `match_spectral` computes for one mesh before the other is known: keep it to match one with many.
+
+    Parameters
+    ----------
+    mesh : MeshLike
+    basis_size : int
+        Laplace-Beltrami eigenfunctions, 30 .. 500.
+    n_samples : int
+        Farthest-point samples on which maps are searched, 200 .. 5000.
+    seed : int
+        0: sampling starts at the vertex farthest from the center; else at one drawn from the seed.
+    n_threads : int
+        0 for all; the result does not depend on it.
+
+    Raises
+    ------
+    UnsuitableMesh
+        Fewer than 20 distinct vertices, or no area.
+    """
+
+    __slots__ = ("_shape", "n_triangles", "n_vertices")
+
+    def __init__(
+        self, mesh: MeshLike, *, basis_size: int = 200, n_samples: int = 1000, seed: int = 0, n_threads: int = 0
+    ) -> None:
+        core = core_mesh(mesh)
+        options = with_fields(
+            _core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed, n_threads=n_threads
+        )
+        self._shape = _core.SpectralShape(core, options)
+        self.n_vertices, self.n_triangles = core.n_vertices, core.n_triangles
+
+    def __repr__(self) -> str:
+        return f"SpectralShape({self.n_vertices} vertices, {self.n_triangles} triangles)"
+
+
+def match_spectral(
+    source: MeshLike | SpectralShape,
+    target: MeshLike | SpectralShape,
+    *,
+    landmarks: Any = None,
+    soft_landmarks: bool = False,
+    excluded: Any = None,
+    aligned: bool = False,
+    up: Direction | None = None,
+    facing: Direction | None = None,
+    symmetric: bool = False,
+    n_alternatives: int = 3,
+    basis_size: int = 200,
+    n_samples: int = 1000,
+    seed: int = 0,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> SpectralResult:
+    """Match two near-isometric surfaces of any connectivity, pose, position and scale.
+
+    Parameters
+    ----------
+    source, target : MeshLike or SpectralShape
+        Prepared shapes save time where one mesh is matched with many.
+    landmarks, soft_landmarks, excluded, aligned, up, facing, symmetric, n_alternatives
+        See `match`.
+    basis_size, n_samples, seed
+        See `SpectralShape`; not used for shapes that are prepared already.
+    n_threads : int
+    progress : ProgressLike
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> a, b = counterpart.make_body(0), counterpart.deform(counterpart.make_body(0), bend=0.5)
+    >>> result = counterpart.match_spectral(counterpart.SpectralShape(a), counterpart.SpectralShape(b))
+    >>> float(result.confidence.mean()) > 0.8
+    True
+    """
+    options = spectral_options(
+        landmarks,
+        excluded,
+        up,
+        facing,
+        soft_landmarks=soft_landmarks,
+        aligned=aligned,
+        symmetric=symmetric,
+        n_alternatives=n_alternatives,
+        n_threads=n_threads,
+    )
+    shape = with_fields(
+        _core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed, n_threads=n_threads
+    )
+    with reporting(progress, "matching") as report:
+        if isinstance(source, SpectralShape) or isinstance(target, SpectralShape):
+            found = _core.match_spectral(_prepared(source, shape), _prepared(target, shape), options, report)
+        else:
+            found = _core.match_spectral(core_mesh(source), core_mesh(target), options, shape, report)
+        return SpectralResult._of(found)
+
+
+def _prepared(mesh: MeshLike | SpectralShape, options: _core.SpectralShapeOptions) -> _core.SpectralShape:
+    return mesh._shape if isinstance(mesh, SpectralShape) else _core.SpectralShape(core_mesh(mesh), options)
+
+
+def match_partial(
+    source: MeshLike,
+    target: MeshLike,
+    *,
+    part: Part = "unknown",
+    same_scale: bool = False,
+    landmarks: Any = None,
+    n_samples: int = 900,
+    n_alternatives: int = 3,
+    seed: int = 0,
+    n_threads: int = 0,
+    progress: ProgressLike = None,
+) -> PartialResult:
+    """Match meshes of which one shows only a part, has holes, or is fused with itself; -1 for what has no partner.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    part, same_scale, landmarks
+        See `match`.
+    n_samples : int
+        Farthest-point samples of the whole, 200 .. 5000; the part has a quarter as many.
+    n_alternatives : int
+        Runners-up to report, 0 .. 10.
+    seed : int
+        Of the groups that are tried; good maps do not depend on it.
+    n_threads : int
+    progress : ProgressLike
+
+    Raises
+    ------
+    UnsuitableMesh
+        Fewer than 50 distinct vertices, or no area.
+
+    Notes
+    -----
+    Local shape (SHOT: Tombari, Salti, Di Stefano 2010) and distances along the surfaces; see the page on partial
+    matching.
+
+    Examples
+    --------
+    >>> import counterpart
+    >>> whole = counterpart.make_body(1)
+    >>> part = counterpart.Mesh(whole.vertices, whole.triangles[whole.vertices[whole.triangles, 1].mean(axis=1) > 0.5])
+    >>> result = counterpart.match_partial(part, whole, same_scale=True)
+    >>> result.part
+    'source'
+    """
+    options = with_fields(
+        _core.PartialOptions(),
+        part=part,
+        same_scale=same_scale,
+        landmarks=pairs(landmarks, "landmarks"),
+        n_samples=n_samples,
+        n_alternatives=n_alternatives,
+        seed=seed,
+        n_threads=n_threads,
+    )
+    with reporting(progress, "matching") as report:
+        return PartialResult._of(_core.match_partial(core_mesh(source), core_mesh(target), options, report))
