@@ -8,6 +8,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
+#include <counterpart/match/partial.hpp>
 #include <counterpart/match/spectral.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
@@ -104,6 +105,11 @@ void edit(TriangleMesh& mesh, Numbers& numbers) {
     }
 }
 
+// Coordinates that left the range of double are no input.
+void make_finite(TriangleMesh& mesh) {
+    mesh.vertices = mesh.vertices.array().isFinite().select(mesh.vertices, 0.0);
+}
+
 struct Pair {
     TriangleMesh source, target;
 };
@@ -117,9 +123,8 @@ Pair meshes_from(Numbers& numbers) {
     for (int i = 0; i < n_edits; ++i) edit(pair.source, numbers);
     pair.target = unrelated ? base_mesh(numbers) : pair.source;
     for (int i = 0; i < n_more; ++i) edit(pair.target, numbers);
-    // Coordinates that left the range of double are no input.
-    for (TriangleMesh* mesh : {&pair.source, &pair.target})
-        mesh->vertices = mesh->vertices.array().isFinite().select(mesh->vertices, 0.0);
+    make_finite(pair.source);
+    make_finite(pair.target);
     return pair;
 }
 
@@ -156,6 +161,29 @@ void spectral(Numbers& numbers) {
     require_map(match_spectral(pair.source, pair.target, options).target_from_source, pair);
 }
 
+// A ball or a tube with parts cut off and other edits: 50 vertices are the least.
+void partial(Numbers& numbers) {
+    PartialOptions options;
+    options.n_threads = 1;
+    options.n_samples = 200;
+    options.n_alternatives = numbers.byte() % 3;
+    options.same_scale = numbers.byte() % 8 != 0;  // searching the scale takes long
+    options.part = static_cast<Part>(numbers.byte() % 5);
+    const int size = numbers.byte() % 4;
+    Pair pair;
+    pair.source = numbers.byte() % 2 == 0 ? make_icosphere(2) : make_torus(9 + size, 7);
+    pair.target = numbers.byte() % 4 == 0 ? make_torus(9, 7 + size) : pair.source;
+    for (TriangleMesh* mesh : {&pair.source, &pair.target}) {
+        const Index n_kept = mesh->n_triangles() - numbers.below(mesh->n_triangles());
+        mesh->triangles.conservativeResize(n_kept, 3);
+        for (int i = numbers.byte() % 8; i > 0; --i) edit(*mesh, numbers);
+        make_finite(*mesh);
+    }
+    const PartialResult result = match_partial(pair.source, pair.target, options);
+    require_map(result.target_from_source, pair);
+    require(result.part != Part::unknown && !(result.confidence.array() < 0).any());
+}
+
 template <void (*match)(Numbers&)>
 void matched_or_refused(std::string_view bytes) {
     Numbers numbers(bytes);
@@ -166,9 +194,10 @@ void matched_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 3> matchers = {{{"exact", matched_or_refused<exact>},
+constexpr std::array<Target, 4> matchers = {{{"exact", matched_or_refused<exact>},
                                              {"differences", matched_or_refused<differences>},
-                                             {"spectral", matched_or_refused<spectral>}}};
+                                             {"spectral", matched_or_refused<spectral>},
+                                             {"partial", matched_or_refused<partial>}}};
 
 }  // namespace
 

@@ -306,6 +306,11 @@ TEST(MatchSpectral, MeshesOfVeryDifferentSizePassBothWays) {
 TEST(MatchSpectral, SmallestMeshesPass) {
     const SpectralResult result = match_spectral(make_grid(4, 3), make_torus(5, 4), {}, small);
     EXPECT_EQ(count_matched(result.target_from_source), 20);
+    // Twenty vertices are enough to be told apart.
+    TriangleMesh uneven = make_grid(4, 3);
+    for (Index v = 0; v < 20; ++v) uneven.vertices(v, 2) = 0.3 * std::sin(0.9 * v * v);
+    const test::DisguisedMesh target = shuffled(moved(uneven, 2), 3);
+    EXPECT_EQ(match_spectral(uneven, target.mesh, {}, small).target_from_source, target.mesh_from_original);
 }
 
 }  // namespace
