@@ -9,10 +9,13 @@ import pathlib
 import re
 import shutil
 import subprocess
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 import nbformat
 from nbclient import NotebookClient
 from nbconvert import MarkdownExporter
+from traitlets.config import Config
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "build" / "docs" / "pages"
@@ -24,19 +27,27 @@ def copy_pages() -> None:
     shutil.copytree(ROOT / "docs", PAGES, ignore=shutil.ignore_patterns("*.ipynb", "*.py", "requirements.txt"))
 
 
-def tutorials() -> None:
+def tutorial(file: pathlib.Path) -> None:
+    """Executes a notebook and makes a page of it. Sockets in the file system: no port is opened."""
     folder = PAGES / "tutorials"
-    folder.mkdir(exist_ok=True)
-    for file in sorted((ROOT / "docs" / "tutorials").glob("*.ipynb")):
-        notebook = nbformat.read(file, as_version=4)
-        NotebookClient(notebook, timeout=300, resources={"metadata": {"path": str(folder)}}).execute()
-        text, resources = MarkdownExporter().from_notebook_node(notebook)
-        for name, data in resources["outputs"].items():
-            picture = f"{file.stem}_{name}"
-            (folder / picture).write_bytes(data)
-            text = text.replace(f"({name})", f"({picture})")
-        shutil.copy(file, folder)
-        (folder / f"{file.stem}.md").write_text(text + f"\n[This page as a notebook]({file.name})\n")
+    notebook = nbformat.read(file, as_version=4)
+    with tempfile.TemporaryDirectory() as sockets:
+        config = Config(KernelManager={"transport": "ipc", "ip": f"{sockets}/kernel"})
+        metadata = {"metadata": {"path": str(folder)}}
+        NotebookClient(notebook, config=config, timeout=300, resources=metadata).execute()
+    text, resources = MarkdownExporter().from_notebook_node(notebook)
+    for name, data in resources["outputs"].items():
+        picture = f"{file.stem}_{name}"
+        (folder / picture).write_bytes(data)
+        text = text.replace(f"({name})", f"({picture})")
+    shutil.copy(file, folder)
+    (folder / f"{file.stem}.md").write_text(text + f"\n[This page as a notebook]({file.name})\n")
+
+
+def tutorials() -> None:
+    (PAGES / "tutorials").mkdir(exist_ok=True)
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(tutorial, sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))))
 
 
 def help_of(*command: str) -> str:

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Builds the Python package on the library of build/release and checks it: tests, doctests, types, style. What it needs
-# from PyPI goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
+# Builds the Python package on the library of build/release and checks it: tests, doctests, types, style. What it and
+# scripts/docs.sh need from PyPI goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
@@ -11,13 +11,13 @@ venv=$PWD/build/venv
 if [ ! -x "$venv/bin/python" ]; then
   "${PYTHON:-python3}" -m venv "$venv"
 fi
-"$venv/bin/pip" install --quiet --disable-pip-version-check -r python/requirements.txt
+"$venv/bin/pip" install --quiet --no-compile --disable-pip-version-check -r python/requirements.txt -r docs/requirements.txt
 
 cmake --preset release -DCOUNTERPART_PYTHON=ON -DPython_EXECUTABLE="$venv/bin/python" > /dev/null
 cmake --build --preset release --target python_package counterpart_cli
 export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/build/release/counterpart}
-"$venv/bin/python" -m pytest -q -n 2 python/tests
-"$venv/bin/python" -m pytest -q --doctest-modules "$PYTHONPATH/counterpart"
-"$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart"
+"$venv/bin/python" -m pytest -q -n 2 --doctest-modules python/tests "$PYTHONPATH/counterpart"
+"$venv/bin/python" scripts/tutorial_code.py build/tutorials
+"$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart" python/examples benchmarks/python build/tutorials
 "$venv/bin/ruff" check --no-cache .
 "$venv/bin/ruff" format --no-cache --check .

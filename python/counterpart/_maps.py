@@ -143,7 +143,20 @@ def invert_map(
     n_threads: int = 0,
     progress: ProgressLike = None,
 ) -> SurfaceMap:
-    """The map back: for each target vertex a point of a source triangle, unmatched where no source is near."""
+    """The map back: for each target vertex a point of a source triangle, unmatched where no source is near.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    target_from_source : MapLike
+    n_threads : int
+    progress : ProgressLike
+
+    Returns
+    -------
+    SurfaceMap
+        One point per target vertex.
+    """
     source, target = core_mesh(source), core_mesh(target)
     triangle, weights = surface_map_of(target_from_source, source, target, n_threads)
     with reporting(progress, "inverting") as report:

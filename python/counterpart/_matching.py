@@ -175,7 +175,18 @@ def match_exact(
 def find_differences(
     source: MeshLike, target: MeshLike, *, n_threads: int = 0, progress: ProgressLike = None
 ) -> Differences:
-    """The part of two meshes that has the same connectivity, and what differs, place by place."""
+    """The part of two meshes that has the same connectivity, and what differs, place by place.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    n_threads : int
+    progress : ProgressLike
+
+    Notes
+    -----
+    No pose is assumed. O(F log F); a local edit costs its surroundings at most, unrelated meshes share nothing.
+    """
     with reporting(progress, "comparing") as report:
         return Differences._of(_core.find_differences(core_mesh(source), core_mesh(target), n_threads, report))
 
@@ -238,7 +249,20 @@ def match_nearest(
     n_threads: int = 0,
     progress: ProgressLike = None,
 ) -> IntArray:
-    """The closest target vertex of each source vertex, after the centroids, or the best similarity, are aligned."""
+    """The closest target vertex of each source vertex: the naive baseline.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    similarity : bool
+        Align by the best similarity that ICP finds; else only the means of the vertices.
+    n_threads : int
+    progress : ProgressLike
+
+    Returns
+    -------
+    ndarray of int32, (n_source,)
+    """
     with reporting(progress, "matching") as report:
         return _core.match_nearest(core_mesh(source), core_mesh(target), similarity, n_threads, report)
 
@@ -246,7 +270,15 @@ def match_nearest(
 def match_assignment(
     source: MeshLike, target: MeshLike, *, max_vertices: int = 5000, progress: ProgressLike = None
 ) -> tuple[IntArray, float]:
-    """The one-to-one map of least total squared distance, and that total; cubic in the number of vertices."""
+    """The one-to-one map of least total squared distance after the means of the vertices are aligned, and that total.
+
+    Parameters
+    ----------
+    source, target : MeshLike
+    max_vertices : int
+        Largest number accepted: time grows with its cube, memory with its square.
+    progress : ProgressLike
+    """
     with reporting(progress, "matching") as report:
         found = _core.match_assignment(core_mesh(source), core_mesh(target), max_vertices, report)
     return found["target_from_source"], found["cost"]

@@ -112,7 +112,7 @@ def render(
             pixels = _core.render_colors(mesh, floats(colors, "colors", (mesh.n_vertices, 3)), options, report)
         elif values is not None:
             given = floats(values, "values", (mesh.n_vertices,))
-            most = _largest(given) if max_value is None else float(max_value)
+            most = _largest(given) if max_value is None else max_value
             pixels = _core.render_values(mesh, given, most, colormap, options, report)
         else:
             pixels = _core.render_mesh(mesh, options, report)

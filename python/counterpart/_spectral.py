@@ -31,12 +31,7 @@ class Spectrum(Result):
     def _core(self) -> _core.EigenBasis:
         eigenvalues = floats(self.eigenvalues, "eigenvalues", (-1,))
         mass = floats(self.mass, "mass", (-1,))
-        functions = np.asfortranarray(self.eigenfunctions, np.float64)
-        if functions.shape != (len(mass), len(eigenvalues)):
-            raise InvalidInput(
-                f"eigenfunctions must be {len(mass)} x {len(eigenvalues)}, as mass and eigenvalues are long, not "
-                f"{' x '.join(map(str, functions.shape))}"
-            )
+        functions = floats(self.eigenfunctions, "eigenfunctions", (len(mass), len(eigenvalues)), "F")
         return _core.EigenBasis(eigenvalues, functions, mass)
 
 
@@ -104,7 +99,7 @@ def vertex_map(source_from_target: Any, source: Spectrum, target: Spectrum) -> I
     ndarray of int32, (n_source,)
         `target_from_source`.
     """
-    matrix = np.asfortranarray(floats(source_from_target, "source_from_target", (-1, -1)))
+    matrix = floats(source_from_target, "source_from_target", (-1, -1), "F")
     if matrix.shape[0] > len(source.eigenvalues) or matrix.shape[1] > len(target.eigenvalues):
         raise InvalidInput(
             f"source_from_target is {matrix.shape[0]} x {matrix.shape[1]}, but the meshes have "

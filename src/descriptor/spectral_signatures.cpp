@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "spectral/require_valid.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/descriptor/descriptors.hpp>
 
@@ -13,6 +15,7 @@ namespace {
 constexpr double zero_eigenvalue = 1e-6;
 
 int usable(const EigenBasis& basis, int wanted, int columns, const char* name) {
+    spectral::require_valid(basis);
     if (columns < 2) throw InvalidInput(std::string(name) + ": at least 2 columns are needed");
     const int count = std::min(wanted, basis.size());
     if (count < 3 || basis.eigenvalues[count - 1] * basis.mass.sum() < zero_eigenvalue)

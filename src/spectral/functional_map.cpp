@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "numerics/product_search.hpp"
+#include "spectral/require_valid.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/spectral/functional_map.hpp>
@@ -63,6 +64,8 @@ FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBas
         target_from_source.target_size() != target.mass.size())
         throw InvalidInput("functional_map: the map and the bases belong to different meshes");
     if (k < 1) throw InvalidInput("functional_map: at least one function is needed");
+    spectral::require_valid(source);
+    spectral::require_valid(target);
     const int ks = std::min(k, source.size()), kt = std::min(k, target.size());
     // Eigenfunctions of a larger surface are smaller: both as at unit area.
     const double scale = std::sqrt(target.mass.sum() / source.mass.sum());
@@ -130,6 +133,11 @@ VertexMap vertex_map(const FunctionalMap& source_from_target, const EigenBasis& 
     const Eigen::Index ks = source_from_target.rows(), kt = source_from_target.cols();
     if (ks < 1 || kt < 1 || ks > source.size() || kt > target.size())
         throw InvalidInput("vertex_map: the functional map is larger than the bases");
+    spectral::require_valid(source);
+    spectral::require_valid(target);
+    if (!source_from_target.allFinite() ||
+        source_from_target.cwiseAbs().maxCoeff() > spectral::largest_coefficient)
+        throw InvalidInput("vertex_map: the functional map has entries that are not finite or above 10^6");
     const numerics::MatrixF x =
         (source.eigenfunctions.leftCols(ks) * std::sqrt(source.mass.sum())).cast<float>();
     const numerics::MatrixF y =

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "spectral/bijective_zoom_out.hpp"
+#include "spectral/require_valid.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/spectral/zoom_out.hpp>
@@ -40,6 +41,8 @@ ZoomOutResult zoom_out(const VertexMap& target_from_source, const EigenBasis& so
                        const VertexMap& source_from_target) {
     if (options.first < 2 || options.last < options.first || options.step < 1)
         throw InvalidInput("zoom_out: needs 2 <= first <= last and a step of at least 1");
+    spectral::require_valid(source);
+    spectral::require_valid(target);
     require_whole(target_from_source, source, target);
     if (source_from_target.source_size() > 0) require_whole(source_from_target, target, source);
     return with_threads(options.n_threads, [&] {

@@ -8,6 +8,8 @@
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/spectral/functional_map.hpp>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace counterpart::spectral {
@@ -37,6 +39,24 @@ TEST(FunctionalMap, RefusesWhatDoesNotFit) {
     EXPECT_THROW(from(none, none, {{0, 0}}, {.k = 0}), InvalidInput);
     EXPECT_THROW(vertex_map(FunctionalMap::Identity(50, 50), pair.source_basis, pair.target_basis),
                  InvalidInput);
+}
+
+TEST(FunctionalMap, RefusesWhatCannotBeComputedWith) {
+    const Pair pair;
+    const FunctionalMap identity = FunctionalMap::Identity(5, 5);
+    for (const double bad : {std::nan(""), HUGE_VAL, 1e300}) {
+        EXPECT_THROW(vertex_map(identity * bad, pair.source_basis, pair.target_basis), InvalidInput);
+        EigenBasis basis = pair.source_basis;
+        basis.eigenfunctions(3, 2) = bad;
+        EXPECT_THROW(vertex_map(identity, basis, pair.target_basis), InvalidInput);
+        EXPECT_THROW(functional_map(pair.truth, basis, pair.target_basis, 5), InvalidInput);
+        EXPECT_THROW(wave_kernel_signature(basis), InvalidInput);
+    }
+    EigenBasis basis = pair.source_basis;
+    basis.mass.setZero();
+    EXPECT_THROW(functional_map(pair.truth, basis, pair.target_basis, 5), InvalidInput);
+    basis.mass.resize(3);
+    EXPECT_THROW(vertex_map(identity, basis, pair.target_basis), InvalidInput);
 }
 
 TEST(FunctionalMap, OfTheTrueMapIsASignedIdentityAndLeadsBack) {

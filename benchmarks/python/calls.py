@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""calls.py [REPETITIONS]: what the Python package costs besides the work. Prints one JSON line per measurement.
+
+Importing, an empty call, memory beyond the result, and the throughput of eight threads against that of one. Other work
+on the machine only makes the figures worse, so each is the best of the repetitions; the median is beside it.
+"""
+
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+import timeit
+from concurrent.futures import ThreadPoolExecutor
+
+import counterpart
+import numpy as np
+
+IMPORT = """
+import time{also}
+start, used = time.perf_counter(), time.process_time()
+import counterpart
+print(time.perf_counter() - start, time.process_time() - used)
+"""
+
+
+def import_seconds(also: str, repetitions: int) -> dict[str, float]:
+    runs = []
+    for _ in range(repetitions):
+        command = [sys.executable, "-c", IMPORT.format(also=also)]
+        runs.append([float(word) for word in subprocess.check_output(command, text=True).split()])
+    wall, cpu = zip(*runs, strict=True)
+    return {"seconds": min(wall), "median_seconds": statistics.median(wall), "cpu_seconds": min(cpu)}
+
+
+def call_microseconds(repetitions: int) -> dict[str, float]:
+    mesh = counterpart.make_icosphere(0)
+    arrays = (np.array(mesh.vertices), np.array(mesh.triangles))
+    identity = np.arange(mesh.n_vertices, dtype=np.int32)
+    calls = {
+        "map_quality of 12 vertices": lambda: counterpart.map_quality(arrays, arrays, identity),
+        "match of 12 vertices": lambda: counterpart.match(arrays, arrays, n_threads=1),
+        "vertex_areas of 12 vertices": lambda: counterpart.vertex_areas(arrays),
+    }
+    return {
+        name: min(timeit.repeat(call, number=20, repeat=50 * repetitions)) / 20 * 1e6 for name, call in calls.items()
+    }
+
+
+def megabytes_beyond_the_result() -> float:
+    n = 1200
+    i = np.arange(n * n, dtype=np.int32).reshape(n, n)
+    vertices = np.zeros((n * n, 3))
+    vertices[:, 0], vertices[:, 1] = i.ravel() % n, i.ravel() // n
+    corners = [(i[:-1, :-1], i[:-1, 1:], i[1:, 1:]), (i[:-1, :-1], i[1:, 1:], i[1:, :-1])]
+    triangles = np.concatenate([np.stack(three, -1).reshape(-1, 3) for three in corners])
+    counterpart.vertex_areas(counterpart.make_grid(2, 2))
+    pathlib.Path("/proc/self/clear_refs").write_text("5")  # the peak starts anew
+    before = peak_megabytes()
+    areas = counterpart.vertex_areas((vertices, triangles))
+    return peak_megabytes() - before - areas.nbytes / 1e6
+
+
+def peak_megabytes() -> float:
+    lines = pathlib.Path("/proc/self/status").read_text().splitlines()
+    return int(next(line for line in lines if line.startswith("VmHWM")).split()[1]) * 1024 / 1e6
+
+
+def eight_threads(repetitions: int) -> dict[str, float]:
+    source = counterpart.make_body(1)
+    target, _ = counterpart.shuffle(counterpart.deform(source, bend=0.5))
+
+    def work(_: int) -> bytes:
+        return counterpart.match(source, target, "frontiers", n_threads=1).target_from_source.tobytes()
+
+    count, rows = 240, []
+    for _ in range(repetitions):
+        start = time.perf_counter()
+        one = [work(i) for i in range(count)]
+        middle = time.perf_counter()
+        with ThreadPoolExecutor(8) as pool:
+            eight = list(pool.map(work, range(count)))
+        assert one == eight
+        rows.append((middle - start) / (time.perf_counter() - middle))
+    return {"throughput_ratio": max(rows), "median_throughput_ratio": statistics.median(rows)}
+
+
+def main() -> None:
+    repetitions = int(sys.argv[1]) if len(sys.argv) > 1 else 7
+    for what, also in (("import", ""), ("import where numpy is loaded", ", numpy")):
+        print(json.dumps({"measurement": what, **import_seconds(also, repetitions)}), flush=True)
+    for name, microseconds in call_microseconds(repetitions).items():
+        print(json.dumps({"measurement": name, "microseconds": microseconds}), flush=True)
+    print(
+        json.dumps({"measurement": "a call on 69 MB of arrays", "megabytes": megabytes_beyond_the_result()}), flush=True
+    )
+    print(json.dumps({"measurement": "eight threads against one", **eight_threads(repetitions)}), flush=True)
+
+
+if __name__ == "__main__":
+    main()

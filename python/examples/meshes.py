@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The two meshes of the examples, as files: what one has from elsewhere."""
+
+import pathlib
+import sys
+
+import counterpart
+
+
+def write_pair() -> tuple[str, str]:
+    """A figure, and another triangulation of it in another pose, in the folder given or here; the paths."""
+    folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
+    body = counterpart.make_body(0)
+    other, _ = counterpart.shuffle(counterpart.subdivide(counterpart.deform(body, bend=0.8)))
+    paths = folder / "a.ply", folder / "b.ply"
+    for mesh, path in zip((body, other), paths, strict=True):
+        counterpart.write(mesh, path)
+    return str(paths[0]), str(paths[1])

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""pyvista: a map as colors, side by side, written as pyvista.png; needs no display."""
+
+import counterpart
+import pyvista as pv
+from meshes import write_pair
+
+file_a, file_b = write_pair()
+
+a, b = pv.read(file_a), pv.read(file_b)
+result = counterpart.match(a, b)
+a["height"] = a.points[:, 1]
+b["height on a"] = counterpart.transfer_values(a, b, result, a.points[:, 1])
+plotter = pv.Plotter(shape=(1, 2), off_screen=True, window_size=(1000, 500))
+plotter.add_mesh(a, scalars="height", cmap="turbo")
+plotter.view_xy()
+plotter.subplot(0, 1)
+plotter.add_mesh(b, scalars="height on a", cmap="turbo")
+plotter.view_xy()
+plotter.screenshot("pyvista.png")
