@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "align/elastic_surface.hpp"
 
-#include "base/parallel.hpp"
+#include "align/local_similarities.hpp"
 #include "numerics/nearest_neighbors.hpp"
-#include "numerics/rotation.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -21,19 +21,11 @@ namespace {
 // Cotangents of both sides' angles are kept within these: negative ones (obtuse triangles) would reward
 // stretching, huge ones (slivers) drown the rest.
 constexpr double least_weight = 0.05, largest_weight = 10;
-// A neighborhood's scale: limbs of two individuals are not equally thick, but nothing may vanish.
-constexpr double least_scale = 0.5, largest_scale = 2;
+constexpr ScaleBounds scale_bounds{0.5, 2};
 // Of a link between components, as strong as an edge.
 constexpr double link_weight = 1;
 // Holds what nothing else holds: far below any pull.
 constexpr double anchor = 1e-9;
-
-struct LocalShape {
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    double scale = 1;
-
-    Eigen::Matrix3d linear() const { return scale * rotation.toRotationMatrix(); }
-};
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
@@ -93,52 +85,13 @@ struct ElasticSurface::System {
     Points rest;
     SparseMatrix stiffness;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
-    std::vector<LocalShape> shapes;
-
-    void follow(PointsView now) {
-        parallel_for(shapes.size(), 256, [&](std::size_t i) {
-            const auto v = static_cast<Eigen::Index>(i);
-            Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-            double squares = 0;
-            for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
-                if (it.row() == v) continue;
-                const Eigen::RowVector3d before = rest.row(it.row()) - rest.row(v);
-                covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() * before;
-                squares -= it.value() * before.squaredNorm();
-            }
-            LocalShape& mine = shapes[i];
-            mine.rotation = numerics::follow_rotation(covariance, mine.rotation);
-            if (squares > 0)
-                mine.scale =
-                    std::clamp(mine.rotation.toRotationMatrix().cwiseProduct(covariance).sum() / squares,
-                               least_scale, largest_scale);
-        });
-    }
-
-    // sum_j w_ij (s_i R_i + s_j R_j) / 2 (rest_i - rest_j) for every i.
-    Eigen::MatrixXd moved_differences() const {
-        std::vector<Eigen::Matrix3d> linear(shapes.size());
-        for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = shapes[i].linear();
-        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rest.rows(), 3);
-        parallel_for(linear.size(), 256, [&](std::size_t i) {
-            const auto v = static_cast<Eigen::Index>(i);
-            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-            for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
-                if (it.row() == v) continue;
-                const Eigen::Matrix3d mean = (linear[i] + linear[static_cast<std::size_t>(it.row())]) / 2;
-                sum -= it.value() * (rest.row(v) - rest.row(it.row())) * mean.transpose();
-            }
-            result.row(v) = sum;
-        });
-        return result;
-    }
+    std::vector<LocalSimilarity> similarities;  // followed from call to call
 };
 
 ElasticSurface::ElasticSurface(MeshView rest) : system_(std::make_unique<System>()) {
     system_->rest = rest.vertices;
     system_->stiffness = stiffness_of(rest);
     system_->factor.analyzePattern(system_->stiffness);
-    system_->shapes.resize(static_cast<std::size_t>(rest.n_vertices()));
 }
 
 ElasticSurface::~ElasticSurface() = default;
@@ -154,8 +107,10 @@ Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView 
         if (pull[v] > 0) pulled.row(v) += pull[v] * towards.row(v);
     Points now = start;
     for (int round = 0; round < rounds; ++round) {
-        system_->follow(now);
-        const Eigen::MatrixXd right = pulled + system_->moved_differences();
+        system_->similarities = local_similarities(system_->stiffness, system_->rest, now, scale_bounds,
+                                                   std::move(system_->similarities));
+        const Eigen::MatrixXd right =
+            pulled + moved_differences(system_->stiffness, system_->rest, system_->similarities);
         now = system_->factor.solve(right);
     }
     return now;

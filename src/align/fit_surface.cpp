@@ -3,6 +3,7 @@
 #include "align/elastic_surface.hpp"
 #include "align/tuning.hpp"
 #include "base/parallel.hpp"
+#include "mesh/edge_table.hpp"
 #include "numerics/closest_triangle.hpp"
 
 #include <counterpart/align/fit_surface.hpp>
@@ -13,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -37,41 +38,22 @@ void require_fit(MeshView model, MeshView scan, const SurfaceMap& map, const Fit
     }
 }
 
-// Pairs of triangles across an edge, as rows of triangle numbers.
-std::vector<std::pair<Index, Index>> neighbor_triangles(TrianglesView triangles) {
-    std::vector<std::tuple<Index, Index, Index>> sides;
-    for (Index t = 0; t < triangles.rows(); ++t)
-        for (int c = 0; c < 3; ++c) {
-            const auto [a, b] = std::minmax({triangles(t, c), triangles(t, (c + 1) % 3)});
-            sides.emplace_back(a, b, t);
-        }
-    std::sort(sides.begin(), sides.end());
+// Pairs of triangles across an edge.
+std::vector<std::pair<Index, Index>> neighbor_triangles(const mesh::EdgeTable& edges) {
     std::vector<std::pair<Index, Index>> pairs;
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-        const auto& [a, b, t] = sides[i - 1];
-        const auto& [c, d, u] = sides[i];
-        if (a == c && b == d) pairs.emplace_back(t, u);
+    for (Index e = 0; e < edges.n_edges(); ++e) {
+        const auto sides = edges.half_edges(e);
+        for (std::size_t i = 1; i < sides.size(); ++i)
+            pairs.emplace_back(sides[i - 1].triangle, sides[i].triangle);
     }
     return pairs;
 }
 
 // Which vertices of the scan are at the rim of a hole.
-std::vector<char> rim_of(MeshView mesh) {
-    std::vector<std::pair<Index, Index>> sides;
-    for (Index t = 0; t < mesh.n_triangles(); ++t)
-        for (int c = 0; c < 3; ++c) {
-            const auto [a, b] = std::minmax({mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3)});
-            sides.emplace_back(a, b);
-        }
-    std::sort(sides.begin(), sides.end());
-    std::vector<char> rim(static_cast<std::size_t>(mesh.n_vertices()), 0);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const bool alone =
-            (i == 0 || sides[i] != sides[i - 1]) && (i + 1 == sides.size() || sides[i] != sides[i + 1]);
-        if (!alone) continue;
-        rim[static_cast<std::size_t>(sides[i].first)] = 1;
-        rim[static_cast<std::size_t>(sides[i].second)] = 1;
-    }
+std::vector<char> rim_of(MeshView scan) {
+    std::vector<char> rim(static_cast<std::size_t>(scan.n_vertices()), 0);
+    for (const auto& [a, b] : mesh::boundary_edges(mesh::EdgeTable(scan)))
+        rim[static_cast<std::size_t>(a)] = rim[static_cast<std::size_t>(b)] = 1;
     return rim;
 }
 
@@ -85,7 +67,7 @@ class SurfaceFit {
           now_(rest_.vertices),
           area_(vertex_areas(rest_)),
           rest_triangle_area_(triangle_areas(rest_)),
-          neighbors_(neighbor_triangles(model.triangles)),
+          neighbors_(neighbor_triangles(mesh::EdgeTable(model))),
           closest_(scan.vertices, scan.triangles),
           rim_(rim_of(scan)),
           size_((scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm()),

@@ -44,4 +44,11 @@ EdgeTable::EdgeTable(MeshView mesh) {
     }
 }
 
+std::vector<std::pair<Index, Index>> boundary_edges(const EdgeTable& edges) {
+    std::vector<std::pair<Index, Index>> found;
+    for (Index e = 0; e < edges.n_edges(); ++e)
+        if (edges.half_edges(e).size() == 1) found.emplace_back(edges.low(e), edges.high(e));
+    return found;
+}
+
 }  // namespace counterpart::mesh

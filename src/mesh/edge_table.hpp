@@ -5,6 +5,7 @@
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace counterpart::mesh {
@@ -44,5 +45,8 @@ class EdgeTable {
     std::vector<std::ptrdiff_t> first_;  // edge e has half_edges_[first_[e] .. first_[e + 1])
     std::vector<Index> low_;
 };
+
+/// The edges with one triangle, as pairs of vertices, the smaller first.
+std::vector<std::pair<Index, Index>> boundary_edges(const EdgeTable& edges);
 
 }  // namespace counterpart::mesh

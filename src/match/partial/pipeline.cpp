@@ -133,30 +133,33 @@ std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::
 
 double find_scale(const Surface& part, const Surface& whole, Index n_landmarks, double least, double most,
                   const PartialTuning& tuning, std::uint64_t seed, const ProgressRange& progress) {
-    double best_scale = 1, best_score = -1;
-    const auto consider = [&](double scale) {
-        const Surface scaled = rescaled(part, scale, tuning.surface);
-        const ScaleTrial trial =
-            try_scale(SamplePair(scaled, whole, n_landmarks, tuning.surface), tuning, seed);
-        if (trial.score > best_score) best_score = trial.score, best_scale = scale;
-        return trial;
+    const auto trial_at = [&](double scale, const Surface& of_part, const Surface& of_whole) {
+        const Surface scaled = rescaled(of_part, scale, tuning.surface);
+        return try_scale(SamplePair(scaled, of_whole, n_landmarks, tuning.surface), tuning, seed);
     };
+    // All over the range with few samples.
+    const Surface coarse_part = at_first_samples(part, n_landmarks + tuning.scale.n_samples);
+    const Surface coarse_whole =
+        at_first_samples(whole, n_landmarks + tuning.scale.n_samples * tuning.surface.samples_ratio);
     const int n =
         std::max(1, static_cast<int>(std::ceil(std::log(most / least) / std::log(tuning.scale.step))));
-    double ratio = 1;
+    double scale = 1, best_score = -1;
     for (int i = 0; i <= n; ++i) {
-        const double before = best_score;
-        const ScaleTrial trial = consider(least * std::pow(most / least, static_cast<double>(i) / n));
-        if (trial.score > before) ratio = trial.ratio;
+        const double tried = least * std::pow(most / least, static_cast<double>(i) / n);
+        const double score = trial_at(tried, coarse_part, coarse_whole).score;
+        if (score > best_score) best_score = score, scale = tried;
         progress.reach((i + 1.0) / (n + 2.0));
     }
+    // Around the best one with all.
+    ScaleTrial best = trial_at(scale, part, whole);
     for (int i = 0; i < tuning.scale.n_refinements; ++i) {
-        const double before = best_score;
-        const ScaleTrial trial = consider(best_scale * ratio);
-        if (trial.score <= before) break;
-        ratio = trial.ratio;
+        const double next = scale * best.ratio;
+        const ScaleTrial trial = trial_at(next, part, whole);
+        if (trial.score <= best.score) break;
+        best = trial;
+        scale = next;
     }
-    return best_scale;
+    return scale;
 }
 
 }  // namespace counterpart::partial_match

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/roles.hpp"
 
-#include "match/partial/surface.hpp"
+#include "mesh/edge_table.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -12,7 +12,7 @@ namespace counterpart::partial_match {
 
 double openness(MeshView mesh) {
     double length = 0;
-    for (const auto& [v, w] : boundary_edges(mesh))
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(mesh)))
         length += (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
     return length / std::sqrt(surface_area(mesh));
 }

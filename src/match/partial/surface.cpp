@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "geodesic/dijkstra.hpp"
+#include "mesh/edge_table.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/mesh/measure.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 namespace counterpart::partial_match {
@@ -65,18 +65,6 @@ MatrixF lower_bounds(const Surface& surface) {
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> boundary_edges(MeshView mesh) {
-    std::vector<std::pair<Index, Index>> edges, open;
-    for (Index t = 0; t < mesh.n_triangles(); ++t)
-        for (int c = 0; c < 3; ++c)
-            edges.push_back(std::minmax({mesh.triangles(t, c), mesh.triangles(t, (c + 1) % 3)}));
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
-            open.push_back(edges[i]);
-    return open;
-}
-
 MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,
                              const ProgressRange& progress) {
     MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
@@ -102,7 +90,7 @@ Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& l
       shot(std::make_shared<descriptor::ShotSurface>(
           mesh, normals, std::max(tuning.spacing, std::sqrt(area / tuning.max_points)))) {
     const DistanceGraph graph(mesh);
-    for (const auto& [v, w] : boundary_edges(mesh)) {
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(this->mesh))) {
         on_boundary[static_cast<std::size_t>(v)] = on_boundary[static_cast<std::size_t>(w)] = 1;
         boundary_length += (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
     }
@@ -125,6 +113,17 @@ MatrixF Surface::signatures_of(std::span<const Index> vertices, std::span<const 
     std::vector<double> unscaled;
     for (const double radius : radii) unscaled.push_back(radius / shot_scale);
     return (*shot)(vertices, unscaled);
+}
+
+Surface at_first_samples(const Surface& surface, int n) {
+    const auto count = std::min<Eigen::Index>(n, surface.between.high.rows());
+    Surface result = surface;
+    result.samples.resize(static_cast<std::size_t>(count));
+    result.rows.resize(0, 0);
+    result.between = {surface.between.low.topLeftCorner(count, count),
+                      surface.between.high.topLeftCorner(count, count)};
+    result.signatures = surface.signatures.topRows(count);
+    return result;
 }
 
 Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tuning) {

@@ -52,11 +52,12 @@ struct Surface {
     MatrixF signatures_of(std::span<const Index> vertices, std::span<const double> radii) const;
 };
 
+/// The same surface known at its first `n` samples only, which are spread over it as all are, and without
+/// `rows`.
+Surface at_first_samples(const Surface& surface, int n);
+
 /// The same surface, `factor` times as large: what distances need not be measured again for.
 Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tuning);
-
-/// The edges with one triangle.
-std::vector<std::pair<Index, Index>> boundary_edges(MeshView mesh);
 
 /// Rows of distances from vertices, `unreachable` beyond `radius`.
 MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "align/local_similarities.hpp"
+
+#include "base/parallel.hpp"
+#include "numerics/rotation.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+
+namespace counterpart::align {
+
+std::vector<LocalSimilarity> local_similarities(const SparseMatrix& stiffness, PointsView rest,
+                                                PointsView now, const ScaleBounds& bounds,
+                                                std::vector<LocalSimilarity> before) {
+    const bool is_first = before.empty();
+    std::vector<LocalSimilarity> similarities = std::move(before);
+    similarities.resize(static_cast<std::size_t>(rest.rows()));
+    parallel_for(similarities.size(), 256, [&](std::size_t i) {
+        const auto v = static_cast<Eigen::Index>(i);
+        Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+        double squares = 0;
+        for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
+            if (it.row() == v) continue;
+            const Eigen::RowVector3d at_rest = rest.row(it.row()) - rest.row(v);
+            covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() * at_rest;
+            squares -= it.value() * at_rest.squaredNorm();
+        }
+        LocalSimilarity& similarity = similarities[i];
+        similarity.rotation =
+            is_first ? numerics::fit_rotation(covariance).rotation
+                     : numerics::follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation))
+                           .toRotationMatrix();
+        if (squares > 0)
+            similarity.scale = std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares,
+                                          bounds.least, bounds.largest);
+    });
+    return similarities;
+}
+
+Points moved_differences(const SparseMatrix& stiffness, PointsView rest,
+                         const std::vector<LocalSimilarity>& similarities) {
+    Points result = Points::Zero(rest.rows(), 3);
+    parallel_for(similarities.size(), 256, [&](std::size_t i) {
+        const auto v = static_cast<Eigen::Index>(i);
+        for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
+            if (it.row() == v) continue;
+            const Eigen::Matrix3d mean =
+                (similarities[i].linear() + similarities[static_cast<std::size_t>(it.row())].linear()) / 2;
+            result.row(v) -= it.value() * (rest.row(v) - rest.row(it.row())) * mean.transpose();
+        }
+    });
+    return result;
+}
+
+}  // namespace counterpart::align
