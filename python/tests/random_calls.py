@@ -359,7 +359,7 @@ def run(number):
         ended = type(error).__name__
         assert str(error), f"{name} raised {ended} without a word"
     for array, before in calls.given:
-        np.testing.assert_array_equal(array, before, err_msg=f"{name} changed its input")
+        assert repr(array.tolist()) == repr(before.tolist()), f"{name} changed its input"
     return name.removeprefix("call_"), ended
 
 

@@ -184,14 +184,14 @@ def test_interrupt(work):
     sent = []
 
     def interrupt():
-        sent.append(time.perf_counter())
+        sent.append(time.process_time())
         os.kill(os.getpid(), signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt):
         threading.Timer(0.2, interrupt).start()
         for _ in range(100):
             work(mesh, mesh)
-    assert time.perf_counter() - sent[0] < 2  # much less; the machine may be busy
+    assert time.process_time() - sent[0] < 3  # of the processor, as the machine may be busy; mostly 0.1
 
 
 def test_eight_threads_give_what_one_gives(blobs):

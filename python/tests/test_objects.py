@@ -103,6 +103,26 @@ def test_attributes(tmp_path):
         counterpart.transfer(counterpart.Mesh(V, T, skin=(np.zeros((3, 1), int), np.ones((3, 1)))), target, truth)
 
 
+@pytest.mark.parametrize(
+    "attributes",
+    [
+        {"colors": [(np.ones((len(V), 2)), T)]},
+        {"colors": [(np.ones((len(V), 5)), T)]},
+        {"normals": (np.ones((len(V), 4)), T)},
+        {"texture_coordinates": [(np.ones((len(V), 3)), T)]},
+        {"texture_coordinates": [(np.ones((3, 2)), T)]},
+        {"colors": [(np.ones((len(V), 3)), T[1:])]},
+        {"morphs": {"smile": V[1:]}},
+        {"skin": (np.zeros((len(V), 2), int), np.ones((len(V), 3)))},
+    ],
+)
+@pytest.mark.parametrize("name", ["a.obj", "a.ply", "a.glb"])
+def test_attributes_that_do_not_fit(tmp_path, attributes, name):
+    with pytest.raises((counterpart.InvalidInput, counterpart.IoError)):
+        counterpart.write(counterpart.Mesh(V, T, **attributes), tmp_path / name)
+    assert not (tmp_path / name).exists()
+
+
 def test_arrays_outlive_their_mesh(tmp_path):
     counterpart.write((V, T), tmp_path / "a.ply")
     vertices = counterpart.read(tmp_path / "a.ply").vertices

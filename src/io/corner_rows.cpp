@@ -11,8 +11,12 @@
 namespace counterpart::io {
 namespace {
 
-void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what) {
+void require_corners(const CornerAttribute& attribute, Index n_triangles, const char* what, int fewest,
+                     int most) {
     if (attribute.values.rows() == 0) return;
+    if (attribute.values.cols() < fewest || attribute.values.cols() > most)
+        throw InvalidInput(
+            fmt::format("the {} have {} numbers each, not {}", what, attribute.values.cols(), most));
     if (attribute.corners.rows() != n_triangles)
         throw InvalidInput(fmt::format("the {} have corners for {} triangles where the mesh has {}", what,
                                        attribute.corners.rows(), n_triangles));
@@ -31,10 +35,10 @@ void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) 
 void require_consistent(const AttributedMesh& content) {
     require_valid(content.mesh);
     const Index n = content.mesh.n_vertices(), n_triangles = content.mesh.n_triangles();
-    require_corners(content.normals, n_triangles, "normals");
+    require_corners(content.normals, n_triangles, "normals", 3, 3);
     for (const CornerAttribute& set : content.texture_coordinates)
-        require_corners(set, n_triangles, "texture coordinates");
-    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colors");
+        require_corners(set, n_triangles, "texture coordinates", 2, 2);
+    for (const CornerAttribute& set : content.colors) require_corners(set, n_triangles, "colors", 3, 4);
     if (content.skin.weights.cols() > 0) {
         require_rows(content.skin.weights.rows(), n, "the skin");
         require_rows(content.skin.joints.rows(), n, "the skin");

@@ -148,6 +148,10 @@ TEST(AttributedMeshFile, WhatDoesNotFitIsNotWritten) {
         EXPECT_THROW(write_attributed_mesh(content, folder / name), IoError);
         EXPECT_FALSE(std::filesystem::exists(folder / name));
     }
+    content = test::make_character({.subdivisions = 0}).content;
+    content.colors[0].values.conservativeResize(Eigen::NoChange, 2);
+    for (const char* name : {"a.obj", "a.ply", "a.glb"})
+        EXPECT_THROW(write_attributed_mesh(content, folder / name), IoError);
 }
 
 }  // namespace
