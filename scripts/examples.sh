@@ -13,4 +13,4 @@ venv=$PWD/build/examples-venv
 export PYTHONPATH=$PWD/build/release/python
 "$venv/bin/python" -m pytest -q python/tests/test_examples.py python/tests/test_objects.py
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
-"$venv/bin/pyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
+"$venv/bin/python" -m pyright --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials

@@ -8,7 +8,7 @@ import sys
 import counterpart
 
 
-def write_pair() -> tuple[str, str]:
+def write_pair() -> tuple[pathlib.Path, pathlib.Path]:
     """A figure, and another triangulation of it in another pose, in the folder given or here; the paths."""
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
     body = counterpart.make_body(0)
@@ -16,4 +16,4 @@ def write_pair() -> tuple[str, str]:
     paths = folder / "a.ply", folder / "b.ply"
     for mesh, path in zip((body, other), paths, strict=True):
         counterpart.write(mesh, path)
-    return str(paths[0]), str(paths[1])
+    return paths

@@ -3,6 +3,7 @@
 """Open3D: the colors of one mesh carried to another. Writes colored.ply; draws it where there is a display."""
 
 import os
+import pathlib
 
 import counterpart
 import numpy as np
@@ -17,7 +18,8 @@ box = a.get_axis_aligned_bounding_box()
 colors = (np.asarray(a.vertices) - box.min_bound) / box.get_extent()
 a.vertex_colors = o3d.utility.Vector3dVector(colors)
 b.vertex_colors = o3d.utility.Vector3dVector(np.nan_to_num(counterpart.transfer_values(a, b, result, colors)))
-pair = a + b.translate((1.2 * box.get_extent()[0], 0, 0))
-o3d.io.write_triangle_mesh("colored.ply", pair)
+b.translate((1.2 * box.get_extent()[0], 0, 0))
+pair = a + b
+o3d.io.write_triangle_mesh(pathlib.Path("colored.ply"), pair)
 if os.environ.get("DISPLAY"):
     o3d.visualization.draw_geometries([pair])

@@ -6,6 +6,8 @@ A functional map of counterpart goes from functions on the target to functions o
 mesh2: with mesh1 = target and mesh2 = source both mean the same matrix, and pyFM's p2p_21 is target_from_source.
 """
 
+from typing import Any
+
 import counterpart
 import numpy as np
 from meshes import write_pair
@@ -14,12 +16,17 @@ from pyFM.spectral import FM_to_p2p, p2p_to_FM
 
 file_a, file_b = write_pair()
 
-meshes = [tuple(counterpart.read(file)) for file in (file_a, file_b)]
-source, target = (TriMesh(*mesh, area_normalize=True).process(k=60, verbose=False) for mesh in meshes)
+
+def prepared(mesh: counterpart.Mesh) -> Any:
+    return TriMesh(mesh.vertices, mesh.triangles, area_normalize=True).process(k=60, verbose=False)
+
+
+meshes = [counterpart.read(file) for file in (file_a, file_b)]
+source, target = map(prepared, meshes)
 result = counterpart.match(source, target)  # pyFM's meshes as they are
 
 
-def basis_of(mesh: TriMesh) -> counterpart.Spectrum:
+def basis_of(mesh: Any) -> counterpart.Spectrum:
     return counterpart.Spectrum(mesh.eigenvalues, mesh.eigenvectors, mesh.A.diagonal())
 
 
@@ -29,7 +36,7 @@ theirs = p2p_to_FM(result.target_from_source, target.eigenvectors[:, :30], sourc
 print(f"functional maps differ by {np.abs(ours - theirs).max():.1e}")
 
 p2p_21 = FM_to_p2p(ours, target.eigenvectors, source.eigenvectors)  # out of counterpart's map, by pyFM
-same = (p2p_21 == counterpart.vertex_map(ours, *bases)).mean()
+same = np.mean(p2p_21 == counterpart.vertex_map(ours, *bases))
 print(f"maps to vertices are the same for {100 * same:.1f} % of the vertices")
 
 refined = counterpart.zoom_out(p2p_21, *bases, first=30, last=60)  # what pyFM found, refined here

@@ -8,14 +8,14 @@ from meshes import write_pair
 
 file_a, file_b = write_pair()
 
-a, b = pv.read(file_a), pv.read(file_b)
+a, b = pv.PolyData(file_a), pv.PolyData(file_b)
 result = counterpart.match(a, b)
 a["height"] = a.points[:, 1]
 b["height on a"] = counterpart.transfer_values(a, b, result, a.points[:, 1])
-plotter = pv.Plotter(shape=(1, 2), off_screen=True, window_size=(1000, 500))
+plotter = pv.Plotter(shape=(1, 2), off_screen=True, window_size=[1000, 500])
 plotter.add_mesh(a, scalars="height", cmap="turbo")
-plotter.view_xy()
+plotter.camera_position = "xy"
 plotter.subplot(0, 1)
 plotter.add_mesh(b, scalars="height on a", cmap="turbo")
-plotter.view_xy()
+plotter.camera_position = "xy"
 plotter.screenshot("pyvista.png")

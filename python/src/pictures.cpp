@@ -45,7 +45,7 @@ struct Picture {
 
 using ImageArray = nb::ndarray<const std::uint8_t, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu>;
 
-nb::ndarray<nb::numpy, std::uint8_t, nb::ndim<3>> array(Image image) {
+nb::ndarray<nb::numpy, std::uint8_t, nb::ndim<3>> pixels(Image image) {
     const std::size_t height = static_cast<std::size_t>(image.height),
                       width = static_cast<std::size_t>(image.width);
     auto [kept, owner] = keep(std::move(image.rgb));
@@ -88,7 +88,7 @@ void bind_pictures(nb::module_& module) {
     module.def(
         "render_mesh",
         [](const Mesh& mesh, const Picture& picture, const nb::object& progress) {
-            return array(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&](Progress report) {
                 const PlacedMesh placed = picture.placed(mesh);
                 Scene scene;
                 scene.surfaces.push_back(plain_surface(mesh, placed.placement));
@@ -99,7 +99,7 @@ void bind_pictures(nb::module_& module) {
     module.def(
         "render_colors",
         [](const Mesh& mesh, const PointArray& colors, const Picture& picture, const nb::object& progress) {
-            return array(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&](Progress report) {
                 const PlacedMesh placed = picture.placed(mesh);
                 Scene scene;
                 scene.surfaces.push_back({placed.placement(mesh), map_of(colors), {}});
@@ -111,7 +111,7 @@ void bind_pictures(nb::module_& module) {
         "render_values",
         [](const Mesh& mesh, const VectorArray& values, double max, const std::string& colormap,
            const Picture& picture, const nb::object& progress) {
-            return array(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&](Progress report) {
                 Scene scene;
                 scene.surfaces.push_back(
                     value_surface(picture.placed(mesh), map_of(values), max, colormap_from_name(colormap)));
@@ -124,7 +124,7 @@ void bind_pictures(nb::module_& module) {
         [](const Mesh& source, const Mesh& target, const IndexArray& target_from_source,
            const std::string& show, Index lines, std::uint64_t seed, const Picture& picture,
            const nb::object& progress) {
-            return array(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&](Progress report) {
                 const VertexMap map = vertex_map_of(target_from_source, target.n_vertices());
                 return render::render(
                     map_scene(picture.placed(source, target, map), map, show, {.count = lines, .seed = seed}),
@@ -137,7 +137,7 @@ void bind_pictures(nb::module_& module) {
         return bytes_of(run([&] { return encode_png(image_of(image)); }));
     });
     module.def("decode_png", [](const nb::bytes& bytes) {
-        return array(decode_png({bytes.c_str(), bytes.size()}));
+        return pixels(decode_png({bytes.c_str(), bytes.size()}));
     });
     module.def(
         "viewer_page",
