@@ -9,18 +9,22 @@
 namespace counterpart::io {
 
 MeshFile MeshCollector::finish() {
-    const auto n_triangles = static_cast<std::int64_t>(corners_.size() / 3);
-    if (n_triangles > max_count || n_vertices() > max_count)
-        throw InvalidInput("the mesh has more than 2147483647 vertices or triangles");
-    MeshFile result;
-    result.mesh.vertices = Eigen::Map<const Points>(coordinates_.data(), n_vertices(), 3);
+    const auto n_corners = static_cast<std::int64_t>(corners_.size());
+    if (n_corners > max_count || n_vertices() > max_count)
+        throw InvalidInput("the mesh has more than 2147483647 vertices or corners of faces");
+    MeshFile result{cut_into_triangles(PointsView(coordinates_.data(), n_vertices(), 3), sizes_, corners_),
+                    {}};
     coordinates_ = {};
-    result.mesh.triangles = Eigen::Map<const Triangles>(corners_.data(), n_triangles, 3);
-    corners_ = {};
+    corners_ = sizes_ = {};
     if (n_polygons_ > 0) {
+        result.notices.push_back(fmt::format(
+            "{} with more than three corners cut into triangles ({} triangles in all)",
+            n_polygons_ == 1 ? "1 face" : fmt::format("{} faces", n_polygons_), result.mesh.n_triangles()));
+    }
+    if (n_large_ > 0) {
         result.notices.push_back(
-            fmt::format("{} with more than three corners cut into triangles ({} triangles in all)",
-                        n_polygons_ == 1 ? "1 face" : fmt::format("{} faces", n_polygons_), n_triangles));
+            fmt::format("faces with more than {} corners are cut as if they were convex ({} of them)",
+                        max_ear_corners, n_large_));
     }
     return result;
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/cells.hpp"
 #include "io/formats.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -54,9 +55,9 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
         GltfFile gltf = read_gltf(file, options);
         return {std::move(gltf.content.mesh), std::move(gltf.notices)};
     }
-    const Format& format = format_of(file);
     try {
-        MeshFile result = format.read(read_whole_file(file), file.string());
+        MeshFile result = holds_cells(file) ? mesh_of_cells(read_cells(file), file.string())
+                                            : format_of(file).read(read_whole_file(file), file.string());
         require_valid(result.mesh);
         return result;
     } catch (const InvalidInput& error) {

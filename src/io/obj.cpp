@@ -4,6 +4,7 @@
 // Wavefront OBJ: the lines `v` and `f`; all other lines (texture, normals, groups, materials, curves) are
 // passed over.
 #include "io/decimal.hpp"
+#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/text_cursor.hpp"
@@ -71,14 +72,14 @@ std::string obj_bytes(MeshView mesh) {
         }
         text += '\n';
     }
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) {
         text += 'f';
-        for (int c = 0; c < 3; ++c) {
+        for (const Index corner : corners) {
             text += ' ';
-            append_decimal(text, mesh.triangles(t, c) + 1);
+            append_decimal(text, mesh.triangles.data()[corner] + 1);
         }
         text += '\n';
-    }
+    });
     return text;
 }
 

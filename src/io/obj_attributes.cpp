@@ -5,6 +5,7 @@
 // names of `usemtl`. It counts the second texture coordinate from the image's lower edge.
 #include "io/corner_rows.hpp"
 #include "io/decimal.hpp"
+#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/text_cursor.hpp"
 
@@ -25,8 +26,8 @@ using Corner = std::array<std::int64_t, 3>;  // rows from 0 of v, vt, vn; -1: no
 
 struct ObjAttributes {
     std::vector<double> texture_coordinates, normals, colors;
-    std::vector<Corner> corners;  // three for each triangle
-    std::vector<Index> parts;
+    std::vector<Corner> corners;  // of all faces, one after another
+    std::vector<Index> parts;     // of the triangles
     std::vector<std::string> part_names;
     std::int64_t n_vertices = 0;
 };
@@ -58,12 +59,9 @@ void read_vertex(TextCursor& text, ObjAttributes& found) {
 void read_face(TextCursor& text, Index part, ObjAttributes& found) {
     const Corner counts = {found.n_vertices, static_cast<std::int64_t>(found.texture_coordinates.size() / 2),
                            static_cast<std::int64_t>(found.normals.size() / 3)};
-    std::vector<Corner> polygon;
-    while (!text.at_line_end()) polygon.push_back(parse_corner(text, text.word(), counts));
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        found.corners.insert(found.corners.end(), {polygon[0], polygon[i - 1], polygon[i]});
-        found.parts.push_back(part);
-    }
+    std::size_t n = 0;
+    for (; !text.at_line_end(); ++n) found.corners.push_back(parse_corner(text, text.word(), counts));
+    found.parts.insert(found.parts.end(), n - 2, part);
 }
 
 ObjAttributes scan(std::string_view bytes, const std::string& name) {
@@ -95,22 +93,21 @@ ObjAttributes scan(std::string_view bytes, const std::string& name) {
     return found;
 }
 
-CornerAttribute attribute_of(const ObjAttributes& found, std::size_t k, const std::vector<double>& values,
-                             Eigen::Index width, const std::string& name) {
+CornerAttribute attribute_of(const ObjAttributes& found, const TriangleMesh& mesh, std::size_t k,
+                             const std::vector<double>& values, Eigen::Index width, const std::string& name) {
     CornerAttribute attribute;
     const auto n_rows = static_cast<Eigen::Index>(values.size()) / width;
-    const auto n_triangles = static_cast<Eigen::Index>(found.corners.size() / 3);
     attribute.values = Eigen::Map<const Matrix>(values.data(), n_rows, width);
-    attribute.corners.resize(n_triangles, 3);
+    attribute.corners.resize(mesh.n_triangles(), 3);
     bool any = false;
-    for (std::size_t i = 0; i < found.corners.size(); ++i) {
-        const std::int64_t row = found.corners[i][k];
+    for (Eigen::Index i = 0; i < attribute.corners.size(); ++i) {
+        const Eigen::Index corner = mesh.polygons.empty() ? i : mesh.polygons.corners(i / 3, i % 3);
+        const std::int64_t row = found.corners[static_cast<std::size_t>(corner)][k];
         if (row >= n_rows)
             throw IoError(fmt::format("{}: a face names {} {}, but the file has only {}", name,
                                       k == 1 ? "texture coordinate" : "normal", row + 1, n_rows));
         any |= row >= 0;
-        attribute.corners(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3)) =
-            static_cast<Index>(row);
+        attribute.corners(i / 3, i % 3) = static_cast<Index>(row);
     }
     return any ? attribute : CornerAttribute();
 }
@@ -144,9 +141,10 @@ AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string
     AttributedMeshFile result{{}, std::move(plain.notices)};
     AttributedMesh& content = result.content;
     content.mesh = std::move(plain.mesh);
-    if (CornerAttribute uv = attribute_of(found, 1, found.texture_coordinates, 2, name); uv.values.rows() > 0)
+    if (CornerAttribute uv = attribute_of(found, content.mesh, 1, found.texture_coordinates, 2, name);
+        uv.values.rows() > 0)
         content.texture_coordinates.push_back(std::move(uv));
-    content.normals = attribute_of(found, 2, found.normals, 3, name);
+    content.normals = attribute_of(found, content.mesh, 2, found.normals, 3, name);
     if (found.n_vertices > 0 && static_cast<std::int64_t>(found.colors.size()) == 3 * found.n_vertices)
         content.colors.push_back(
             {Eigen::Map<const Matrix>(found.colors.data(), found.n_vertices, 3), content.mesh.triangles});
@@ -172,7 +170,7 @@ std::string obj_bytes(const AttributedMesh& content) {
         return attribute.values.rows() > 0 ? attribute.corners(t, c) : -1;
     };
     Index part = -1;
-    for (Index t = 0; t < content.mesh.n_triangles(); ++t) {
+    for_each_face(content.mesh, [&](Index t, std::span<const Index> corners) {
         const auto next = static_cast<std::size_t>(t) < content.parts.size()
                               ? content.parts[static_cast<std::size_t>(t)]
                               : -1;
@@ -181,14 +179,15 @@ std::string obj_bytes(const AttributedMesh& content) {
             text += "usemtl " + content.part_names[static_cast<std::size_t>(next)] + '\n';
         part = next;
         text += 'f';
-        for (int c = 0; c < 3; ++c) {
-            const Index uv_row = row_of(uv, t, c), normal = row_of(content.normals, t, c);
-            text += fmt::format(" {}", content.mesh.triangles(t, c) + 1);
+        for (const Index corner : corners) {
+            const Index uv_row = row_of(uv, corner / 3, corner % 3),
+                        normal = row_of(content.normals, corner / 3, corner % 3);
+            text += fmt::format(" {}", content.mesh.triangles(corner / 3, corner % 3) + 1);
             if (uv_row >= 0) text += fmt::format("/{}", uv_row + 1);
             if (normal >= 0) text += fmt::format("{}/{}", uv_row >= 0 ? "" : "/", normal + 1);
         }
         text += '\n';
-    }
+    });
     return text;
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/formats.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 
@@ -20,7 +22,18 @@ struct CornerAttributes {
 
 struct ObjText {
     std::vector<std::string_view> positions, textures, normals;  // whole lines
-    std::vector<CornerAttributes> corners;                       // three for each triangle
+    std::vector<CornerAttributes> corners;                       // of all faces, one after another
+    Polygons polygons;                                           // empty: all faces are triangles
+
+    Index n_triangles() const {
+        return static_cast<Index>(polygons.empty() ? static_cast<Eigen::Index>(corners.size() / 3)
+                                                   : polygons.corners.rows());
+    }
+    // Of a corner of a triangle, 3 * triangle + corner.
+    const CornerAttributes& at(Index corner) const {
+        const Index in_face = polygons.empty() ? corner : polygons.corners.data()[corner];
+        return corners[static_cast<std::size_t>(in_face)];
+    }
 };
 
 struct Line {
@@ -63,7 +76,7 @@ CornerAttributes parse_corner(std::string_view word, const ObjText& obj) {
 
 ObjText parse(std::string_view text) {
     ObjText obj;
-    std::vector<CornerAttributes> face;
+    obj.polygons = io::read_obj(text, "reorder_obj").mesh.polygons;
     while (!text.empty()) {
         const std::string_view line = take_line(text).content;
         std::string_view rest = line;
@@ -72,11 +85,8 @@ ObjText parse(std::string_view text) {
         if (word == "vt") obj.textures.push_back(line);
         if (word == "vn") obj.normals.push_back(line);
         if (word != "f") continue;
-        face.clear();
         for (std::string_view corner = next_word(rest); !corner.empty(); corner = next_word(rest))
-            face.push_back(parse_corner(corner, obj));
-        for (std::size_t c = 2; c < face.size(); ++c)  // the fan that the reader makes of a polygon
-            obj.corners.insert(obj.corners.end(), {face[0], face[c - 1], face[c]});
+            obj.corners.push_back(parse_corner(corner, obj));
     }
     return obj;
 }
@@ -92,7 +102,12 @@ class Writer {
   public:
     Writer(const ObjText& source, const ObjText& target, const VertexMap& map, TrianglesView triangles,
            TrianglesView corners)
-        : source_(source), target_(target), map_(map), triangles_(triangles), corners_(corners) {}
+        : source_(source),
+          target_(target),
+          map_(map),
+          triangles_(triangles),
+          corners_(corners),
+          stands_for_(source.polygons.triangle_corners()) {}
 
     // The source's lines in their order, with what is the target's in the place of what was the source's.
     std::string run(std::string_view source_text) {
@@ -129,19 +144,17 @@ class Writer {
     void add_face(std::string_view words) {
         Index n = 0;
         while (!next_word(words).empty()) ++n;
-        if (n < 3) return;
         bytes_ += 'f';
         for (Index k = 0; k < n; ++k) {
-            // Where the reader's fan has corner k of the polygon.
-            const Index t = n_triangles_ + (k < 3 ? 0 : k - 2), c = k < 3 ? k : 2;
-            CornerAttributes corner = target_.corners[static_cast<std::size_t>(corners_(t, c))];
-            if (keeps_textures())
-                corner.texture =
-                    source_.corners[3 * static_cast<std::size_t>(t) + static_cast<std::size_t>(c)].texture;
-            append_corner(bytes_, triangles_(t, c), corner);
+            // The triangle's corner that stands for this one.
+            const Index at =
+                stands_for_.empty() ? n_corners_ : stands_for_[static_cast<std::size_t>(n_corners_)];
+            CornerAttributes corner = target_.at(corners_.data()[at]);
+            if (keeps_textures()) corner.texture = source_.at(at).texture;
+            append_corner(bytes_, triangles_.data()[at], corner);
+            ++n_corners_;
         }
         bytes_ += '\n';
-        n_triangles_ += n - 2;
     }
 
     const ObjText& source_;
@@ -150,7 +163,8 @@ class Writer {
     TrianglesView triangles_;
     TrianglesView corners_;
     std::string bytes_;
-    Index n_positions_ = 0, n_triangles_ = 0;
+    std::vector<Index> stands_for_;  // for each corner of a polygon that of a triangle
+    Index n_positions_ = 0, n_corners_ = 0;
     bool has_attributes_ = false;
 };
 
@@ -165,11 +179,12 @@ std::string reorder_obj(std::string_view source_text, std::string_view target_te
     for (const Index image : target_from_source.image())
         if (image < 0) throw InvalidInput("reorder_obj: the map leaves source vertices unmatched");
     if (source_triangles.rows() != target_corner_from_source.rows() ||
-        source.corners.size() != static_cast<std::size_t>(source_triangles.size()))
+        source.n_triangles() != source_triangles.rows())
         throw InvalidInput("reorder_obj: there must be one row of corners for each source triangle");
     for (Eigen::Index t = 0; t < source_triangles.rows(); ++t) {
         for (int c = 0; c < 3; ++c)
-            if (static_cast<std::size_t>(target_corner_from_source(t, c)) >= target.corners.size())
+            if (target_corner_from_source(t, c) < 0 ||
+                target_corner_from_source(t, c) >= 3 * target.n_triangles())
                 throw InvalidInput(fmt::format("reorder_obj: corner {} of triangle {} has no partner", c, t));
     }
     return Writer(source, target, target_from_source, source_triangles, target_corner_from_source)

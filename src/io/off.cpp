@@ -3,7 +3,9 @@
 //
 // OFF as Geomview defines it (OOGL file formats), without its binary and its four- and n-dimensional
 // variants.
+#include "io/cells.hpp"
 #include "io/decimal.hpp"
+#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/text_cursor.hpp"
@@ -37,18 +39,6 @@ void read_key_word(TextCursor& text) {
         text.fail(variant == "BINARY" ? "binary OFF is not supported; save it as text or as PLY"
                                       : "after OFF, the numbers of vertices and faces are expected");
     }
-}
-
-// `least_size`: how many characters each of what is counted takes at the least, the last without a line's
-// end.
-std::int64_t read_count(TextCursor& text, const char* what, std::size_t least_size) {
-    text.next_content();
-    const std::int64_t count = text.integer(what);
-    if (count < 0 || count > max_count) text.fail(fmt::format("the {} is out of range: {}", what, count));
-    // No memory is set aside for what cannot be there.
-    if (static_cast<std::size_t>(count) > (text.remaining() + 1) / least_size)
-        text.fail(fmt::format("the {} is {}, more than the file has room for", what, count));
-    return count;
 }
 
 void read_face(TextCursor& text, std::int64_t n_vertices, std::vector<Index>& corners) {
@@ -96,21 +86,21 @@ MeshFile read_off(std::string_view bytes, const std::string& name) {
 }
 
 std::string off_bytes(MeshView mesh) {
-    std::string text = fmt::format("OFF\n{} {} 0\n", mesh.n_vertices(), mesh.n_triangles());
+    std::string text = fmt::format("OFF\n{} {} 0\n", mesh.n_vertices(), n_faces(mesh));
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         for (int k = 0; k < 3; ++k) {
             append_decimal(text, mesh.vertices(v, k));
             text += k < 2 ? ' ' : '\n';
         }
     }
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        text += '3';
-        for (int c = 0; c < 3; ++c) {
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) {
+        append_decimal(text, static_cast<Index>(corners.size()));
+        for (const Index corner : corners) {
             text += ' ';
-            append_decimal(text, mesh.triangles(t, c));
+            append_decimal(text, mesh.triangles.data()[corner]);
         }
         text += '\n';
-    }
+    });
     return text;
 }
 

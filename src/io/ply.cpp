@@ -4,6 +4,7 @@
 // PLY (Turk 1994), text and binary: coordinates from the element `vertex`, corners from the element `face`;
 // further columns of both that are asked for; all else is passed over.
 #include "io/byte_order.hpp"
+#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/ply_columns.hpp"
@@ -168,20 +169,19 @@ std::vector<double> read_vertices(Values& values, const PlyElement& element, con
     return columns;
 }
 
-// Texture coordinates of the corners, as a fan; faces with another number of them have none.
-void add_fan(const std::vector<double>& list, std::size_t n_corners, std::vector<double>& fan) {
-    const bool fits = list.size() == 2 * n_corners;
-    for (std::size_t i = 2; i < n_corners; ++i)
-        for (const std::size_t corner : {std::size_t{0}, i - 1, i})
-            for (std::size_t k = 0; k < 2; ++k)
-                fan.push_back(fits ? list[2 * corner + k] : std::numeric_limits<double>::quiet_NaN());
+// Texture coordinates of a face's corners; none where there is another number of them.
+void add_coordinates(const std::vector<double>& list, std::size_t n_corners, std::vector<double>& all) {
+    if (list.size() == 2 * n_corners)
+        all.insert(all.end(), list.begin(), list.end());
+    else
+        all.insert(all.end(), 2 * n_corners, std::numeric_limits<double>::quiet_NaN());
 }
 
 template <class Values>
 std::vector<double> read_faces(Values& values, const PlyElement& element, std::int64_t n_vertices,
                                const PlyWanted& wanted, MeshCollector& mesh) {
     std::vector<Index> corners;
-    std::vector<double> list, fans;
+    std::vector<double> list, all;
     for (std::int64_t f = 0; f < element.count; ++f) {
         values.begin(element, f);
         list.clear();
@@ -209,9 +209,9 @@ std::vector<double> read_faces(Values& values, const PlyElement& element, std::i
             mesh.add_face(corners);
         }
         values.end();
-        if (wanted.of_corners) add_fan(list, corners.size(), fans);
+        if (wanted.of_corners) add_coordinates(list, corners.size(), all);
     }
-    return fans;
+    return all;
 }
 
 template <class Values>
@@ -301,18 +301,19 @@ MeshFile read_ply(std::string_view bytes, const std::string& name) {
 }
 
 std::string ply_bytes(MeshView mesh) {
+    const bool large = has_large_faces(mesh);
     std::string bytes = fmt::format(
         "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
-        "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        mesh.n_vertices(), mesh.n_triangles());
+        "property double z\nelement face {}\nproperty list {} int vertex_indices\nend_header\n",
+        mesh.n_vertices(), n_faces(mesh), list_size_type(large));
     bytes.reserve(bytes.size() + static_cast<std::size_t>(mesh.n_vertices()) * 24 +
                   static_cast<std::size_t>(mesh.n_triangles()) * 13);
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         for (int k = 0; k < 3; ++k) append_number(bytes, mesh.vertices(v, k));
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        append_number(bytes, std::uint8_t{3});
-        for (int c = 0; c < 3; ++c) append_number(bytes, mesh.triangles(t, c));
-    }
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) {
+        append_list_size(bytes, corners.size(), large);
+        for (const Index corner : corners) append_number(bytes, mesh.triangles.data()[corner]);
+    });
     return bytes;
 }
 

@@ -6,9 +6,11 @@
 // They count the second texture coordinate from the image's lower edge.
 #include "io/byte_order.hpp"
 #include "io/corner_rows.hpp"
+#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/ply_columns.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -80,9 +82,11 @@ CornerAttribute corner_coordinates(const PlyColumns& columns) {
     std::vector<double> values;
     CornerAttribute attribute;
     attribute.corners = Triangles::Constant(triangles.rows(), 3, -1);
-    for (Eigen::Index i = 0; i < triangles.size() && 2 * i + 1 < std::ssize(columns.of_corners); ++i) {
-        const double u = columns.of_corners[static_cast<std::size_t>(2 * i)],
-                     v = columns.of_corners[static_cast<std::size_t>(2 * i + 1)];
+    const Polygons& polygons = columns.file.mesh.polygons;
+    for (Eigen::Index i = 0; i < triangles.size(); ++i) {
+        const auto corner = static_cast<std::size_t>(polygons.empty() ? i : polygons.corners(i / 3, i % 3));
+        if (2 * corner + 1 >= columns.of_corners.size()) break;
+        const double u = columns.of_corners[2 * corner], v = columns.of_corners[2 * corner + 1];
         if (std::isnan(u) || std::isnan(v)) continue;
         const auto [row, is_new] = rows.emplace(CornerCoordinates{triangles(i / 3, i % 3), u + 0.0, v + 0.0},
                                                 static_cast<Index>(values.size() / 2));
@@ -133,8 +137,9 @@ std::string header_of(MeshView mesh, const Written& written) {
     const char* color_type = written.byte_colors ? "uchar" : "float";
     if (written.colors) add(color_type, {"red", "green", "blue"});
     if (written.colors && written.colors->cols() == 4) add(color_type, {"alpha"});
-    text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh.n_triangles());
-    if (written.seams != nullptr) text += "property list uchar float texcoord\n";
+    const char* size = list_size_type(has_large_faces(mesh));
+    text += fmt::format("element face {}\nproperty list {} int vertex_indices\n", n_faces(mesh), size);
+    if (written.seams != nullptr) text += fmt::format("property list {} float texcoord\n", size);
     return text + "end_header\n";
 }
 
@@ -156,6 +161,20 @@ void append_vertex(std::string& bytes, Index v, const Written& written) {
 }
 
 }  // namespace
+
+bool has_large_faces(MeshView mesh) {
+    constexpr std::size_t most = 127;  // twice as many texture coordinates
+    bool large = false;
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) { large |= corners.size() > most; });
+    return large;
+}
+
+void append_list_size(std::string& bytes, std::size_t size, bool large) {
+    if (large)
+        append_number(bytes, static_cast<std::uint32_t>(size));
+    else
+        append_number(bytes, static_cast<std::uint8_t>(size));
+}
 
 AttributedMeshFile read_attributed_ply(std::string_view bytes, const std::string& name) {
     PlyColumns columns = read_ply_columns(bytes, {}, name);
@@ -184,18 +203,21 @@ std::string ply_bytes(const AttributedMesh& content) {
         for (int k = 0; k < 3; ++k) append_number(bytes, mesh.vertices(v, k));
         append_vertex(bytes, v, written);
     }
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        append_number(bytes, std::uint8_t{3});
-        for (int c = 0; c < 3; ++c) append_number(bytes, mesh.triangles(t, c));
-        if (written.seams == nullptr) continue;
-        const auto row = written.seams->corners.row(t);
-        const bool has_all = row.minCoeff() >= 0;
-        append_number(bytes, static_cast<std::uint8_t>(has_all ? 6 : 0));
-        for (int c = 0; has_all && c < 3; ++c) {
-            append_number(bytes, static_cast<float>(written.seams->values(row[c], 0)));
-            append_number(bytes, static_cast<float>(1 - written.seams->values(row[c], 1)));
+    const bool large = has_large_faces(mesh);
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) {
+        append_list_size(bytes, corners.size(), large);
+        for (const Index corner : corners) append_number(bytes, mesh.triangles.data()[corner]);
+        if (written.seams == nullptr) return;
+        const Index* const rows = written.seams->corners.data();
+        const bool has_all =
+            std::all_of(corners.begin(), corners.end(), [&](Index corner) { return rows[corner] >= 0; });
+        append_list_size(bytes, has_all ? 2 * corners.size() : 0, large);
+        for (const Index corner : corners) {
+            if (!has_all) break;
+            append_number(bytes, static_cast<float>(written.seams->values(rows[corner], 0)));
+            append_number(bytes, static_cast<float>(1 - written.seams->values(rows[corner], 1)));
         }
-    }
+    });
     return bytes;
 }
 

@@ -6,6 +6,7 @@
 #include "match/non_manifold/matching.hpp"
 #include "match/symmetry/choice.hpp"
 #include "match/symmetry/component_assignment.hpp"
+#include "mesh/polygons.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -117,6 +119,35 @@ bool is_inside_out(const MatchedMaps& maps) {
            signed_volume(maps.source_mesh) * signed_volume(maps.target_mesh) < 0;
 }
 
+// Twice the area as seen from above, negative if most triangles are clockwise; nothing unless the mesh lies
+// in a plane of constant z. (The middles of polygons are there but for rounding.)
+std::optional<double> area_from_above(const DartMap& map, MeshView mesh) {
+    const auto z = mesh.vertices.col(2);
+    constexpr double rounding = 1e-12;
+    const double extent =
+        (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
+    if (z.maxCoeff() - z.minCoeff() > rounding * (extent + std::abs(z[0]))) return std::nullopt;
+    double area = 0;
+    for (Index t = 0; t < map.n_triangles(); ++t) {
+        const auto at = [&](std::size_t c) -> Eigen::Vector2d {
+            const Index v = map.input_vertex[to_size(map.corner[3 * to_size(t) + c])];
+            return mesh.vertices.row(v).head<2>().transpose();
+        };
+        const Eigen::Vector2d u = at(1) - at(0), v = at(2) - at(0);
+        area += (map.parity(make_dart(t, 0)) == 0 ? 1 : -1) * (u[0] * v[1] - u[1] * v[0]);
+    }
+    return area;
+}
+
+// Two meshes in the plane have no other side: whether the target must be wound the other way not to be a
+// mirror image. Nothing where the winding does not tell.
+std::optional<bool> is_turned_over_in_plane(const MatchedMaps& maps) {
+    const auto ours = area_from_above(maps.source, maps.source_mesh),
+               theirs = area_from_above(maps.target, maps.target_mesh);
+    if (!ours || !theirs || *ours * *theirs == 0) return std::nullopt;
+    return *ours * *theirs < 0;
+}
+
 void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, ExactResult& result) {
     std::vector<Index> image(to_size(maps.source.n_vertices()), -1);
     result.target_corner_from_source.setConstant(maps.source.n_triangles(), 3, -1);
@@ -165,6 +196,18 @@ Index smallest_vertex(const DartMap& map, Index component) {
     return smallest;
 }
 
+// Of a polygon mesh those that its polygons were cut into.
+Index n_input_triangles(const DartMap& map, Index component) {
+    const Index size = map.component_size(component);
+    if (map.first_center == no_center) return size;
+    std::vector<Index> centers;
+    for (auto t = to_size(map.component_begin[to_size(component)]);
+         t < to_size(map.component_begin[to_size(component) + 1]); ++t)
+        centers.push_back(map.corner[3 * t + 2]);
+    std::sort(centers.begin(), centers.end());
+    return size - 2 * static_cast<Index>(std::unique(centers.begin(), centers.end()) - centers.begin());
+}
+
 void list_interchangeable(const MatchedMaps& maps, const Choice& choice, ExactResult& result) {
     std::vector<Index> place(maps.classes.size(), -1);
     for (const ComponentPair& pair : choice.pairs) {
@@ -172,7 +215,8 @@ void list_interchangeable(const MatchedMaps& maps, const Choice& choice, ExactRe
         Index& at = place[to_size(pair.kind - maps.classes.data())];
         if (at < 0) {
             at = static_cast<Index>(result.interchangeable.size());
-            result.interchangeable.push_back({static_cast<Index>(pair.size()), {}, {}});
+            result.interchangeable.push_back(
+                {n_input_triangles(maps.source, pair.source->component), {}, {}});
         }
         EqualComponents& equal = result.interchangeable[to_size(at)];
         equal.source.push_back(smallest_vertex(maps.source, pair.source->component));
@@ -197,22 +241,30 @@ void describe_equal_components(const std::vector<EqualComponents>& classes,
                           n_components, classes.size(), largest.source.size(), largest.n_triangles));
 }
 
-void describe(const MatchedMaps& maps, ExactResult& result) {
+// What the notices tell of the source, besides what the result holds.
+struct Described {
+    const char* faces = "triangles";
+    Index n_faces = 0, n_reversed = 0;
+    Index non_manifold_edges = 0, non_manifold_vertices = 0;
+    std::size_t n_isolated = 0;
+};
+
+void describe(const Described& source, ExactResult& result) {
     auto& notices = result.notices;
     const auto is_many = [](const Count& count) { return !count.number || *count.number > 1; };
     if (result.path == ExactPath::patches)
         notices.push_back(fmt::format(
-            "non-manifold: {} edges with more than two triangles, {} vertices in several "
+            "non-manifold: {} edges with more than two {}, {} vertices in several "
             "patches; matched patch by patch ({} patches)",
-            maps.source.non_manifold_edges, maps.source.non_manifold_vertices, result.n_components));
+            source.non_manifold_edges, source.faces, source.non_manifold_vertices, result.n_components));
     if (result.mirrored)
         notices.push_back(fmt::format("an orientation-reversing match was chosen"));
     else if (result.winding_reversed)
         notices.push_back(
-            fmt::format("the target's winding is reversed: every triangle has the opposite winding"));
-    else if (result.reversed_triangles > 0)
-        notices.push_back(fmt::format("{} of {} triangles have the opposite winding in the target",
-                                      result.reversed_triangles, maps.source.n_triangles()));
+            fmt::format("the target's winding is reversed: all {} have the opposite winding", source.faces));
+    else if (source.n_reversed > 0)
+        notices.push_back(fmt::format("{} of {} {} have the opposite winding in the target",
+                                      source.n_reversed, source.n_faces, source.faces));
     if (is_many(result.automorphisms))
         notices.push_back(
             fmt::format("the connectivity is symmetric: {} orientation-preserving matches are possible, the "
@@ -222,9 +274,8 @@ void describe(const MatchedMaps& maps, ExactResult& result) {
         notices.push_back(fmt::format("{} orientation-reversing matches are possible too",
                                       to_string(result.mirror_automorphisms)));
     describe_equal_components(result.interchangeable, notices);
-    if (!maps.source.isolated.empty())
-        notices.push_back(
-            fmt::format("{} isolated vertices were paired by position", maps.source.isolated.size()));
+    if (source.n_isolated > 0)
+        notices.push_back(fmt::format("{} isolated vertices were paired by position", source.n_isolated));
 }
 
 // Chooses among the isomorphisms; the others asked for follow the best. None if nothing fits.
@@ -235,6 +286,16 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
     };
     const bool preserves = is_feasible(maps, false), reverses = is_feasible(maps, true);
     bool reversed = reverses && (!preserves || is_inside_out(maps));
+    const std::optional<bool> turned = is_turned_over_in_plane(maps);
+    if (turned && (preserves || reverses)) {
+        result.mirrored = !(*turned ? reverses : preserves);
+        if (result.mirrored && !options.allow_mirror) {
+            result.difference =
+                "the target is a mirror image of the source in the plane, which must be allowed";
+            return {};
+        }
+        reversed = *turned != result.mirrored;
+    }
     if (maps.source.non_manifold_vertices > 0) {
         result.path = ExactPath::patches;
         std::vector<Choice> found = non_manifold::match_patches(maps, reversed, 1 + n_others, progress);
@@ -267,19 +328,28 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
     return found;
 }
 
-ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
+struct Isomorphism {
     ExactResult result;
+    Described source;
+};
+
+// Of meshes of triangles, or of coned ones, whose middles of polygons are the vertices from these on.
+Isomorphism match_connectivity(MeshView source, MeshView target, const ExactOptions& options,
+                               Index source_center = no_center, Index target_center = no_center) {
+    Isomorphism isomorphism;
+    ExactResult& result = isomorphism.result;
     report_progress(options.progress, 0);
     DartMap a, b;
-    parallel_invoke([&] { a = make_dart_map(source); }, [&] { b = make_dart_map(target); });
+    parallel_invoke([&] { a = make_dart_map(source, source_center); },
+                    [&] { b = make_dart_map(target, target_center); });
     report_progress(options.progress, 0.3);
     result.n_components = a.n_components();
     result.difference = first_difference(a, b);
-    if (!result.difference.empty()) return result;
+    if (!result.difference.empty()) return isomorphism;
     const Classification found = classify_components(a, b);
     report_progress(options.progress, 0.5);
     result.difference = first_difference(a, b, found.classes);
-    if (!result.difference.empty()) return result;
+    if (!result.difference.empty()) return isomorphism;
 
     std::vector<AutomorphismGroup> groups;
     for (const ComponentClass& kind : found.classes)
@@ -289,9 +359,10 @@ ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions&
     const std::vector<Choice> choices = choose(maps, options, result);
     report_progress(options.progress, 0.9);
     if (choices.empty()) {
-        result.difference =
-            "the patches between non-manifold edges and vertices are equal, but join differently";
-        return result;
+        if (result.difference.empty())
+            result.difference =
+                "the patches between non-manifold edges and vertices are equal, but join differently";
+        return isomorphism;
     }
     result.identical = true;
     fill_maps(maps, choices[0].pairs, result);
@@ -303,9 +374,112 @@ ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions&
         result.alternatives.push_back(std::move(other.target_from_source));
     }
     list_interchangeable(maps, choices[0], result);
-    describe(maps, result);
+    isomorphism.source = {.n_faces = a.n_triangles(),
+                          .n_reversed = result.reversed_triangles,
+                          .non_manifold_edges = a.non_manifold_edges,
+                          .non_manifold_vertices = a.non_manifold_vertices,
+                          .n_isolated = a.isolated.size()};
     report_progress(options.progress, 1);
-    return result;
+    return isomorphism;
+}
+
+// For each corner of a triangle of the source one of the target that stands for the same corner of a polygon;
+// the result's are those of coned meshes, whose triangle j begins at polygon corner j.
+Triangles uncut_corners(const Polygons& source, const Polygons& target, TrianglesView coned) {
+    const std::vector<Index> stands_for = target.triangle_corners();
+    std::vector<Index> next(to_size(target.n_corners()));
+    for (Index p = 0; p < target.count(); ++p)
+        for (Index j = target.first[to_size(p)]; j < target.first[to_size(p) + 1]; ++j)
+            next[to_size(j)] = j + 1 < target.first[to_size(p) + 1] ? j + 1 : target.first[to_size(p)];
+    return source.corners.unaryExpr([&](Index j) {
+        const Index corner = coned(j, 0);
+        return stands_for[to_size(corner % 3 == 0 ? corner / 3 : next[to_size(corner / 3)])];
+    });
+}
+
+// How many of the source's polygons are cut into other triangles in the target.
+Index count_cut_differently(const Polygons& source, const Triangles& target_corners, const Polygons& target) {
+    const auto cut_of = [](const Triangles& triangles, Index begin, Index end, const auto& corner) {
+        std::vector<std::array<Index, 3>> cut;
+        for (Index t = begin; t < end; ++t) {
+            cut.push_back({corner(triangles(t, 0)), corner(triangles(t, 1)), corner(triangles(t, 2))});
+            std::sort(cut.back().begin(), cut.back().end());
+        }
+        std::sort(cut.begin(), cut.end());
+        return cut;
+    };
+    Index count = 0;
+    for (Index p = 0; p < source.count(); ++p) {
+        const Index n = source.size(p), begin = source.first_triangle(p);
+        if (n == 3) continue;
+        const auto of_target = [&](Index corner) { return target.corners.data()[corner]; };
+        const Index image = of_target(target_corners(begin, 0));
+        const auto q = static_cast<Index>(std::upper_bound(target.first.begin(), target.first.end(), image) -
+                                          target.first.begin() - 1);
+        const Index there = target.first_triangle(q);
+        const auto itself = [](Index corner) { return corner; };
+        if (cut_of(target_corners, begin, begin + n - 2, of_target) !=
+            cut_of(target.corners, there, there + n - 2, itself))
+            ++count;
+    }
+    return count;
+}
+
+VertexMap without_centers(const VertexMap& map, Index n_source, Index n_target) {
+    return {{map.image().begin(), map.image().begin() + n_source}, n_target};
+}
+
+// By polygons, wherever they begin and however they were cut.
+ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions& options) {
+    const Polygons &from = *source.polygons, &to = *target.polygons;
+    ExactResult differing;
+    differing.difference = mesh::first_difference(from, to);
+    if (!differing.difference.empty()) return differing;
+    const TriangleMesh a = mesh::coned(source), b = mesh::coned(target);
+    Isomorphism found = match_connectivity(a, b, options, source.n_vertices(), target.n_vertices());
+    ExactResult& result = found.result;
+    Described& described = found.source;
+    if (!result.identical) return std::move(result);
+    result.target_from_source =
+        without_centers(result.target_from_source, source.n_vertices(), target.n_vertices());
+    for (VertexMap& other : result.alternatives)
+        other = without_centers(other, source.n_vertices(), target.n_vertices());
+    described.faces = "polygons";
+    described.n_faces = from.count();
+    described.n_reversed = result.reversed_triangles = 0;
+    for (Index p = 0; p < from.count(); ++p) {
+        const Index j = from.first[to_size(p)];
+        if (result.target_corner_from_source(j, 0) % 3 == 0) continue;
+        ++described.n_reversed;
+        result.reversed_triangles += from.size(p) - 2;
+    }
+    result.target_corner_from_source = uncut_corners(from, to, result.target_corner_from_source);
+    result.recut_polygons = count_cut_differently(from, result.target_corner_from_source, to);
+    describe(described, result);
+    if (result.recut_polygons > 0)
+        result.notices.push_back(fmt::format("{} of {} polygons are cut into other triangles in the target",
+                                             result.recut_polygons, from.count()));
+    return std::move(result);
+}
+
+ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
+    std::string difference;
+    ExactOptions triangles = options;
+    if (source.polygons != nullptr && target.polygons != nullptr) {
+        ExactOptions polygons = options;
+        polygons.progress = part_of(options.progress, 0, 0.5);
+        triangles.progress = part_of(options.progress, 0.5, 1);
+        ExactResult result = match_polygons(source, target, polygons);
+        if (result.identical) return result;
+        difference = std::move(result.difference);
+    }
+    Isomorphism found = match_connectivity(source, target, triangles);
+    ExactResult& result = found.result;
+    if (result.identical)
+        describe(found.source, result);
+    else if (!difference.empty())
+        result.difference = std::move(difference);
+    return std::move(result);
 }
 
 // The map between the welded meshes taken back to all duplicates, corner by corner: so each gets the

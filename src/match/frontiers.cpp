@@ -4,6 +4,7 @@
 #include "match/frontiers/component_match.hpp"
 #include "match/frontiers/components.hpp"
 #include "match/frontiers/side.hpp"
+#include "mesh/polygons.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -149,11 +150,44 @@ class FrontiersMatch {
     Stopwatch watch_;
 };
 
+// By polygons, wherever they begin and however they were cut: their middles are matched like vertices, and
+// left out of the result.
+FrontiersResult match_coned(MeshView source, MeshView target, const FrontiersOptions& options) {
+    const TriangleMesh from = mesh::coned(source), to = mesh::coned(target);
+    FrontiersResult result = FrontiersMatch(from, to, options).run();
+    const Index n = source.n_vertices();
+    std::vector<Index> image(result.target_from_source.image().begin(),
+                             result.target_from_source.image().begin() + n);
+    for (Index& w : image)
+        if (w >= target.n_vertices()) w = VertexMap::unmatched;
+    result.confidence.conservativeResize(n);
+    const Components components = connected_components(Adjacency(source));
+    std::vector<Index> sizes(to_size(components.count), 0);
+    for (const Index component : components.of_vertex) ++sizes[to_size(component)];
+    for (ComponentMatch& component : result.components) {
+        if (component.source >= n) {
+            component.source = source.triangles(source.polygons->first_triangle(component.source - n), 0);
+            component.target = image[to_size(component.source)];
+        }
+        component.n_vertices = sizes[to_size(components.of_vertex[to_size(component.source)])];
+    }
+    result.target_from_source = VertexMap(std::move(image), target.n_vertices());
+    return result;
+}
+
+bool have_like_polygons(MeshView source, MeshView target) {
+    return source.polygons != nullptr && target.polygons != nullptr &&
+           mesh::first_difference(*source.polygons, *target.polygons).empty();
+}
+
 }  // namespace
 
 FrontiersResult match_frontiers(MeshView source, MeshView target, const FrontiersOptions& options) {
     require_usable(source, target, options);
-    return with_threads(options.n_threads, [&] { return FrontiersMatch(source, target, options).run(); });
+    return with_threads(options.n_threads, [&] {
+        return have_like_polygons(source, target) ? match_coned(source, target, options)
+                                                  : FrontiersMatch(source, target, options).run();
+    });
 }
 
 }  // namespace counterpart

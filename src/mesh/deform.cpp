@@ -89,7 +89,9 @@ TriangleMesh deform(MeshView mesh, const DeformOptions& options) {
     require_range("bend", options.bend, -two_pi, two_pi);
     require_range("twist", options.twist, -two_pi, two_pi);
     require_range("warp", options.warp, 0, 0.5);
-    if (options.bend == 0 && options.twist == 0 && options.warp == 0) return mesh.copy();  // to the last bit
+    TriangleMesh result = mesh.copy();
+    if (mesh.polygons != nullptr) result.polygons = *mesh.polygons;
+    if (options.bend == 0 && options.twist == 0 && options.warp == 0) return result;  // to the last bit
     const Eigen::RowVector3d centroid = surface_centroid(mesh).transpose();
     const Eigen::Matrix3d axes = principal_axes(mesh, centroid);
     Points local = (mesh.vertices.rowwise() - centroid) * axes.transpose();
@@ -101,7 +103,8 @@ TriangleMesh deform(MeshView mesh, const DeformOptions& options) {
         const Eigen::Vector3d p = (local.row(v) - middle).transpose() / length;
         local.row(v) = length * warp(bent(twisted(p, options.twist), options.bend)).transpose() + middle;
     }
-    return {(local * axes).rowwise() + centroid, mesh.triangles};
+    result.vertices = (local * axes).rowwise() + centroid;
+    return result;
 }
 
 }  // namespace counterpart

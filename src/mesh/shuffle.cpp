@@ -17,6 +17,28 @@ std::vector<Index> random_order(Index count, Random& random) {
     return order;
 }
 
+// Polygons in random order, each from a random corner on.
+void shuffle_polygons(MeshView mesh, Random& random, ShuffleResult& result) {
+    const Polygons& polygons = *mesh.polygons;
+    const std::vector<Index> triangle_corner = polygons.triangle_corners();
+    std::vector<Index> sizes, vertices, old_corner;
+    for (const Index p : random_order(polygons.count(), random)) {
+        const Index size = polygons.size(p);
+        const auto start = static_cast<Index>(random.below(static_cast<std::uint64_t>(size)));
+        sizes.push_back(size);
+        for (Index k = 0; k < size; ++k) {
+            const Index corner = triangle_corner[static_cast<std::size_t>(
+                polygons.first[static_cast<std::size_t>(p)] + (start + k) % size)];
+            old_corner.push_back(corner);
+            vertices.push_back(
+                result.shuffled_from_original[static_cast<std::size_t>(mesh.triangles.data()[corner])]);
+        }
+    }
+    result.mesh = cut_into_triangles(result.mesh.vertices, sizes, vertices);
+    result.original_corner_from_shuffled = result.mesh.polygons.corners.unaryExpr(
+        [&](Index corner) { return old_corner[static_cast<std::size_t>(corner)]; });
+}
+
 }  // namespace
 
 ShuffleResult shuffle(MeshView mesh, std::uint64_t seed) {
@@ -29,6 +51,10 @@ ShuffleResult shuffle(MeshView mesh, std::uint64_t seed) {
     };
     for (Index v = 0; v < mesh.n_vertices(); ++v)
         result.mesh.vertices.row(renumbered(v)) = mesh.vertices.row(v);
+    if (mesh.polygons != nullptr) {
+        shuffle_polygons(mesh, random, result);
+        return result;
+    }
     const std::vector<Index> place = random_order(mesh.n_triangles(), random);
     for (Index t = 0; t < mesh.n_triangles(); ++t) {
         const auto first = static_cast<int>(random.below(3));
@@ -83,7 +109,8 @@ TriangleMesh move_at_random(MeshView mesh, std::uint64_t seed) {
     const double scale = random.uniform(0.5, 2);
     Eigen::RowVector3d offset;
     for (double& x : offset) x = random.uniform(-3, 3);
-    return {((scale * mesh.vertices) * rotation.transpose()).rowwise() + offset, mesh.triangles};
+    return {((scale * mesh.vertices) * rotation.transpose()).rowwise() + offset, mesh.triangles,
+            mesh.polygons == nullptr ? Polygons() : *mesh.polygons};
 }
 
 }  // namespace counterpart

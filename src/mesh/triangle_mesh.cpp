@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/polygons.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -31,6 +33,7 @@ void require_valid(MeshView mesh) {
             }
         }
     }
+    if (mesh.polygons != nullptr) mesh::require_valid_polygons(mesh);
 }
 
 }  // namespace counterpart

@@ -110,6 +110,7 @@ WeldResult weld(MeshView mesh, const WeldOptions& options) {
     result.mesh.vertices.conservativeResize(n_kept, 3);
     result.mesh.triangles = mesh.triangles.unaryExpr(
         [&](Index v) { return result.welded_from_original[static_cast<std::size_t>(v)]; });
+    if (mesh.polygons != nullptr) result.mesh.polygons = *mesh.polygons;
     return result;
 }
 

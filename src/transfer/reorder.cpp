@@ -66,6 +66,7 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
 TriangleMesh reorder(MeshView source, MeshView target, const VertexMap& target_from_source) {
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
     TriangleMesh result{Points(source.n_vertices(), 3), source.triangles};
+    if (source.polygons != nullptr) result.polygons = *source.polygons;
     for (Index v = 0; v < source.n_vertices(); ++v) {
         if (target_from_source[v] == VertexMap::unmatched) {
             throw InvalidInput(

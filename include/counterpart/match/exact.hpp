@@ -65,6 +65,7 @@ struct ExactResult {
     Count automorphisms;                  ///< of the source, orientation-preserving, with the identity
     Count mirror_automorphisms;           ///< of the source, orientation-reversing
     Index reversed_triangles = 0;         ///< in opposite winding in the target
+    Index recut_polygons = 0;             ///< cut into other triangles in the target
     bool winding_reversed = false;        ///< all of them: the target's winding is reversed as a whole
     bool mirrored = false;                ///< a mirror match was chosen, which only allow_mirror permits
     std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
@@ -79,6 +80,11 @@ struct ExactResult {
 /// vertices are paired by position. O(V + F) unless most traversals fail late. Throws InvalidInput for
 /// invalid meshes or options, Canceled, and NumericalError where patches of a non-manifold mesh fit in more
 /// ways than can be searched.
+///
+/// Meshes in planes of constant z are drawings: mirror images are told apart, whatever their winding.
+///
+/// Where both meshes have polygons these are compared: at which corner a polygon begins and how it was cut
+/// into triangles does not matter. Where polygons differ, triangles are compared as if there were none.
 ExactResult match_exact(MeshView source, MeshView target, const ExactOptions& options = {});
 
 }  // namespace counterpart

@@ -18,7 +18,8 @@ struct ShuffleResult {
 };
 
 /// The same surface with its vertices, triangles, and the first corner of each triangle in random order.
-/// Preserves orientation. O(V + F).
+/// Preserves orientation. A mesh of polygons gets these in random order and from other first corners on, and
+/// so mostly cut along other diagonals. O(V + F).
 ShuffleResult shuffle(MeshView mesh, std::uint64_t seed);
 
 struct AttributedShuffleResult {

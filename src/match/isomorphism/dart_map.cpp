@@ -18,6 +18,7 @@ namespace {
 struct Corners {
     const Index* vertex;  // at corner 3 t + c
     std::size_t n_triangles, n_vertices;
+    Index first_center;
     std::array<Index, 4> around(std::size_t t) const {
         const Index* const v = vertex + 3 * t;
         return {v[0], v[1], v[2], v[0]};
@@ -26,7 +27,8 @@ struct Corners {
 
 class TwinFinder {
   public:
-    explicit TwinFinder(const Corners& corners) : twin_(3 * corners.n_triangles, no_dart) {
+    explicit TwinFinder(const Corners& corners)
+        : twin_(3 * corners.n_triangles, no_dart), first_center_(corners.first_center) {
         collect(corners);
         for (std::size_t v = 0; v < corners.n_vertices; ++v) {
             const std::size_t begin = end_[v], size = end_[v + 1] - begin;
@@ -113,9 +115,20 @@ class TwinFinder {
         for (std::size_t i = 0, j = 0; i < size; i = j) {
             for (j = i + 1; j < size && bucket[j].first == bucket[i].first;) ++j;
             if (j - i == 1) ++boundary_edges_;
-            if (j - i > 2) ++non_manifold_edges_;
-            if (j - i != 2) continue;
-            const Dart a = bucket[i].second, b = bucket[i + 1].second;
+            const bool is_spoke = bucket[i].first >= first_center_;
+            if (j - i > 2 && !is_spoke) ++non_manifold_edges_;
+            if (j - i == 2 || is_spoke) pair_in_turn(std::span(bucket).subspan(i, j - i));
+        }
+    }
+
+    // Two half-edges, or those that a polygon has between its middle and a vertex that it comes to several
+    // times: the triangles of two corners that follow one another meet there, which are the first and the
+    // last where the polygon begins at the vertex.
+    void pair_in_turn(std::span<const std::pair<Index, Dart>> edges) {
+        const bool begins = edges.size() > 2 && corner_of(edges[0].second) == 2;
+        for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
+            const Dart a = edges[begins && k == 0 ? edges.size() - 1 : k - (begins ? 1 : 0)].second;
+            const Dart b = edges[begins ? k : k + 1].second;
             twin_[halfedge_of(a)] = joined_to(a, b);
             twin_[halfedge_of(b)] = joined_to(b, a);
         }
@@ -126,6 +139,7 @@ class TwinFinder {
     std::vector<Index> other_;
     std::vector<Dart> dart_;
     Index boundary_edges_ = 0, non_manifold_edges_ = 0;
+    Index first_center_;
 };
 
 // Renumbers along breadth-first traversals. The queue is known some steps ahead, so what a step will touch is
@@ -268,7 +282,7 @@ Index count_non_manifold_vertices(const DartMap& map) {
 
 }  // namespace
 
-DartMap make_dart_map(MeshView mesh) {
+DartMap make_dart_map(MeshView mesh, Index first_center) {
     constexpr Index most = (1 << 28) - 1;
     if (mesh.n_triangles() > most) {
         throw InvalidInput(fmt::format("the mesh has {} triangles; exact matching handles at most {}",
@@ -279,8 +293,9 @@ DartMap make_dart_map(MeshView mesh) {
     const bool reorder = mesh.n_triangles() > cached;
     const SpatialOrder order = reorder ? make_spatial_order(mesh) : SpatialOrder{};
     const Corners corners{reorder ? order.corner.data() : mesh.triangles.data(), to_size(mesh.n_triangles()),
-                          to_size(mesh.n_vertices())};
+                          to_size(mesh.n_vertices()), reorder ? no_center : first_center};
     DartMap map;
+    map.first_center = first_center;
     TwinFinder twins(corners);
     map.corner = twins.take_indices();
     map.twin = twins.take_darts();

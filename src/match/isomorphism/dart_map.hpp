@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace counterpart::isomorphism {
@@ -44,6 +45,9 @@ inline Dart next(Dart f, Dart steps) {
 }
 inline Dart corner_of(Dart f) { return (f >> 1U) & 3U; }
 
+/// No vertex is the middle of a polygon.
+inline constexpr Index no_center = std::numeric_limits<Index>::max();
+
 /// Numbered along breadth-first traversals of its own, so that neighbors lie close in memory and every
 /// component (piece connected through manifold edges) is a range of triangles. Edges with more than two
 /// triangles are cut open; vertices that several components share are non-manifold vertices.
@@ -59,6 +63,7 @@ struct DartMap {
     std::vector<std::uint8_t>
         one_sided;                    ///< 1 for components without orientation (Moebius bands); empty: none
     std::vector<Index> isolated;      ///< the mesh's vertices without triangles
+    Index first_center = no_center;   ///< the mesh's vertices from here on are the middles of polygons
     Index non_manifold_edges = 0;     ///< edges with more than two triangles
     Index boundary_edges = 0;         ///< edges with one triangle
     Index non_manifold_vertices = 0;  ///< vertices in more than one component
@@ -99,6 +104,8 @@ struct DartMap {
 };
 
 /// O(V + F), sort-free but for the edges at one vertex. At most 2^28 triangles; throws InvalidInput beyond.
-DartMap make_dart_map(MeshView mesh);
+/// `first_center`: of a mesh that mesh::coned made, the number of its first middle; where a polygon comes to
+/// one vertex twice, the edges between the two then are manifold (in meshes of up to 2^20 corners).
+DartMap make_dart_map(MeshView mesh, Index first_center = no_center);
 
 }  // namespace counterpart::isomorphism

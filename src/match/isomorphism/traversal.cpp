@@ -15,6 +15,10 @@ std::vector<Color> vertex_colors(const DartMap& map, int rounds) {
         colors[v] += 1U << 16U;  // both ends of a border, alike in both directions
         colors[to_size(map.corner[h % 3 == 2 ? h - 2 : h + 1])] += 1U << 16U;
     }
+    constexpr Color center = Color{1} << 40U;
+    if (map.first_center != no_center)
+        for (std::size_t v = 0; v < n; ++v)
+            if (map.input_vertex[v] >= map.first_center) colors[v] += center;
     for (Color& color : colors) color = mix(color);
     return refined_colors(map, std::move(colors), rounds);
 }

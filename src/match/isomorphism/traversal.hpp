@@ -22,8 +22,9 @@ inline Color mix(Color x) {
     return x ^ (x >> 31U);
 }
 
-/// Vertex colors: valence and borders around, refined `rounds` times by the colors around. Equal for
-/// vertices that an isomorphism, orientation-preserving or not, can exchange. O(rounds * F).
+/// Vertex colors: valence and borders around, and whether it is a polygon's middle; refined `rounds` times by
+/// the colors around. Equal for vertices that an isomorphism, orientation-preserving or not, can exchange.
+/// O(rounds * F).
 std::vector<Color> vertex_colors(const DartMap& map, int rounds);
 /// The same, going on from colors that were refined before.
 std::vector<Color> refined_colors(const DartMap& map, std::vector<Color> colors, int rounds);

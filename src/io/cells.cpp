@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/cells.hpp"
+
+#include "io/formats.hpp"
+#include "io/mesh_collector.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/mesh_file.hpp>
+#include <counterpart/mesh/tetrahedral_mesh.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+
+using namespace io;
+
+namespace {
+
+// Those of a file whose tetrahedra are all inverted are turned round: it counts their corners the other way.
+TetrahedralMeshFile solid_of(const Cells& cells, const std::string& name) {
+    TetrahedralMeshFile result;
+    result.mesh.vertices =
+        PointsView(cells.coordinates.data(), static_cast<Eigen::Index>(cells.n_vertices()), 3);
+    result.mesh.tetrahedra = Eigen::Map<const Tetrahedra>(
+        cells.tetrahedra.data(), static_cast<Eigen::Index>(cells.tetrahedra.size() / 4), 4);
+    TetrahedralMesh& mesh = result.mesh;
+    Vector volumes = tetrahedron_volumes(mesh);
+    if ((volumes.array() < 0).all()) {
+        mesh.tetrahedra.col(2).swap(mesh.tetrahedra.col(3));
+        volumes = -volumes;
+        result.notices.emplace_back("all tetrahedra are wound the other way; they were turned round");
+    }
+    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
+        if (volumes[t] > 0) continue;
+        throw IoError(fmt::format("{}:{}: tetrahedron {} {}", name,
+                                  cells.tetrahedron_lines[static_cast<std::size_t>(t)], t,
+                                  volumes[t] < 0 ? "is inverted, unlike others" : "has no volume"));
+    }
+    if (!cells.face_sizes.empty())
+        result.notices.push_back(
+            fmt::format("{} faces beside the tetrahedra are left out", cells.face_sizes.size()));
+    return result;
+}
+
+std::string gmsh_bytes(const TetrahedralMesh& mesh) {
+    std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.n_vertices());
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        text += fmt::format("{} {} {} {}\n", v + 1, mesh.vertices(v, 0), mesh.vertices(v, 1),
+                            mesh.vertices(v, 2));
+    text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.n_tetrahedra());
+    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
+        text += fmt::format("{} 4 2 0 1", t + 1);
+        for (int c = 0; c < 4; ++c) text += fmt::format(" {}", mesh.tetrahedra(t, c) + 1);
+        text += '\n';
+    }
+    return text + "$EndElements\n";
+}
+
+void append_points(std::string& text, const TetrahedralMesh& mesh, const char* end) {
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        text +=
+            fmt::format("{} {} {}{}\n", mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2), end);
+}
+
+std::string medit_bytes(const TetrahedralMesh& mesh) {
+    std::string text = fmt::format("MeshVersionFormatted 2\nDimension 3\nVertices\n{}\n", mesh.n_vertices());
+    append_points(text, mesh, " 0");
+    text += fmt::format("Tetrahedra\n{}\n", mesh.n_tetrahedra());
+    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
+        for (int c = 0; c < 4; ++c) text += fmt::format("{} ", mesh.tetrahedra(t, c) + 1);
+        text += "0\n";
+    }
+    return text + "End\n";
+}
+
+std::string vtk_bytes(const TetrahedralMesh& mesh) {
+    std::string text = fmt::format(
+        "# vtk DataFile Version 3.0\ncounterpart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
+        mesh.n_vertices());
+    append_points(text, mesh, "");
+    text += fmt::format("CELLS {} {}\n", mesh.n_tetrahedra(), 5 * std::int64_t{mesh.n_tetrahedra()});
+    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
+        text += '4';
+        for (int c = 0; c < 4; ++c) text += fmt::format(" {}", mesh.tetrahedra(t, c));
+        text += '\n';
+    }
+    text += fmt::format("CELL_TYPES {}\n", mesh.n_tetrahedra());
+    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) text += "10\n";
+    return text;
+}
+
+}  // namespace
+
+std::int64_t io::read_count(TextCursor& text, std::string_view what, std::size_t least_size) {
+    text.next_content();
+    const std::int64_t count = text.integer(what);
+    if (count < 0 || count > max_count) text.fail(fmt::format("the {} is out of range: {}", what, count));
+    // No memory is set aside for what cannot be there.
+    if (static_cast<std::size_t>(count) > (text.remaining() + 1) / least_size)
+        text.fail(fmt::format("the {} is {}, more than the file has room for", what, count));
+    return count;
+}
+
+void io::read_corners(TextCursor& text, std::int64_t n_vertices, std::int64_t base, int n,
+                      std::vector<Index>& corners) {
+    for (int c = 0; c < n; ++c) {
+        const std::int64_t v = text.integer("vertex of an element");
+        if (v < base || v >= base + n_vertices)
+            text.fail(
+                fmt::format("the element names vertex {}, but vertices run from {} to {}{}", v, base,
+                            base + n_vertices - 1,
+                            v == 0 || v == n_vertices ? ": is it counted from 0 and 1 in one file?" : ""));
+        corners.push_back(static_cast<Index>(v - base));
+    }
+}
+
+bool io::holds_cells(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    constexpr std::array<std::string_view, 6> known = {".msh", ".mesh", ".vtk", ".ele", ".node", ".poly"};
+    return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+Cells io::read_cells(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    if (extension == ".ele" || extension == ".node" || extension == ".poly") return read_ele(file);
+    const auto read = extension == ".msh" ? read_gmsh : extension == ".mesh" ? read_medit : read_vtk;
+    return read(read_whole_file(file), file.string());
+}
+
+MeshFile io::mesh_of_cells(const Cells& cells, const std::string& name) {
+    if (cells.tetrahedra.empty()) {
+        MeshFile result{cut_into_triangles(PointsView(cells.coordinates.data(),
+                                                      static_cast<Eigen::Index>(cells.n_vertices()), 3),
+                                           cells.face_sizes, cells.face_corners),
+                        {}};
+        return result;
+    }
+    const TetrahedralMeshFile solid = solid_of(cells, name);
+    require_valid(solid.mesh);
+    const SolidBoundary surface = boundary(solid.mesh);
+    MeshFile result{{solid.mesh.vertices, surface.mesh.triangles}, solid.notices};
+    for (Eigen::Index i = 0; i < result.mesh.triangles.size(); ++i)
+        result.mesh.triangles.data()[i] =
+            surface.vertices[static_cast<std::size_t>(surface.mesh.triangles.data()[i])];
+    result.notices.push_back(fmt::format("the surface of {} tetrahedra", solid.mesh.n_tetrahedra()));
+    return result;
+}
+
+std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::path& file) {
+    if (!holds_cells(file)) return std::nullopt;
+    try {
+        const Cells cells = read_cells(file);
+        if (cells.tetrahedra.empty()) return std::nullopt;
+        TetrahedralMeshFile result = solid_of(cells, file.string());
+        require_valid(result.mesh);
+        return result;
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
+void write_tetrahedral_mesh(const TetrahedralMesh& mesh, const std::filesystem::path& file) {
+    try {
+        require_valid(mesh);
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
+    }
+    const std::string extension = lower_extension(file);
+    if (extension != ".msh" && extension != ".mesh" && extension != ".vtk")
+        throw IoError(fmt::format("{}: the name of a mesh of tetrahedra must end in .msh, .mesh or .vtk",
+                                  file.string()));
+    write_file(extension == ".msh"    ? gmsh_bytes(mesh)
+               : extension == ".mesh" ? medit_bytes(mesh)
+                                      : vtk_bytes(mesh),
+               file);
+}
+
+}  // namespace counterpart

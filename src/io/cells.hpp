@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// Formats of simulation: points, faces and tetrahedra in one file.
+#pragma once
+
+#include "io/text_cursor.hpp"
+
+#include <counterpart/io/mesh_file.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace counterpart::io {
+
+struct Cells {
+    std::vector<double> coordinates;  ///< three for each vertex
+    std::vector<Index> face_sizes, face_corners;
+    std::vector<Index> tetrahedra;       ///< four vertices each
+    std::vector<int> tetrahedron_lines;  ///< of the file
+
+    std::int64_t n_vertices() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
+    void add_vertex(double x, double y, double z) { coordinates.insert(coordinates.end(), {x, y, z}); }
+};
+
+/// The next whole number, as the number of what takes at least `least_size` characters each. Refuses what the
+/// file has no room for.
+std::int64_t read_count(TextCursor& text, std::string_view what, std::size_t least_size);
+
+/// Reads the corners of a cell, one vertex number each, counted from `base`. Refuses a number that is not
+/// there, saying what else it may be counted from.
+void read_corners(TextCursor& text, std::int64_t n_vertices, std::int64_t base, int n,
+                  std::vector<Index>& corners);
+
+Cells read_gmsh(std::string_view bytes, const std::string& name);
+Cells read_medit(std::string_view bytes, const std::string& name);
+Cells read_vtk(std::string_view bytes, const std::string& name);
+/// Triangle's and TetGen's .ele beside .node (or .poly, whose vertices are used where there is no .node).
+Cells read_ele(const std::filesystem::path& file);
+
+/// Whether the extension is one of these formats': .msh, .mesh, .vtk, .ele, .node, .poly.
+bool holds_cells(const std::filesystem::path& file);
+/// Throws IoError.
+Cells read_cells(const std::filesystem::path& file);
+/// The faces, or the surface of the tetrahedra if there are any, over all vertices.
+MeshFile mesh_of_cells(const Cells& cells, const std::string& name);
+
+}  // namespace counterpart::io
