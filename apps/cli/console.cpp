@@ -114,6 +114,13 @@ AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const Com
     return std::move(loaded.content);
 }
 
+std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options) {
+    std::optional<TetrahedralMeshFile> loaded = read_tetrahedral_mesh(file);
+    if (!loaded) return std::nullopt;
+    for (const std::string& notice : loaded->notices) say(options, file.string() + ": " + notice);
+    return std::move(loaded->mesh);
+}
+
 Progress progress_bar(const std::string& label, const CommonOptions& options) {
     if (options.quiet || isatty(STDERR_FILENO) == 0) return [](double) { return !is_interrupted(); };
     return [bar = std::make_shared<Bar>(label)](double fraction) {

@@ -12,6 +12,7 @@
 #include <counterpart/io/mesh_file.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,9 @@ void warn(const std::string& message, const std::filesystem::path& source,
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);
 /// The same, with the attributes that the file holds.
 AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options);
+
+/// The tetrahedra of a file that has any, with its notices printed.
+std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options);
 
 /// A bar on stderr that appears after a second of work; silent when stderr is not a terminal or with --quiet.
 /// Cancels the work when the user interrupts the program.

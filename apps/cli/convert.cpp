@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
+#include <counterpart/io/file.hpp>
 #include <counterpart/mesh/weld.hpp>
 
 #include <memory>
@@ -16,9 +17,33 @@ struct ConvertCommand {
     CommonOptions common;
     std::filesystem::path input, output;
     double weld_distance = -1;
+    int cells = 0;
 };
 
+void write_solid(const TetrahedralMesh& mesh, const ConvertCommand& command) {
+    write_tetrahedral_mesh(mesh, command.output);
+    say(command.common, fmt::format("{} vertices, {} tetrahedra -> {}", mesh.n_vertices(),
+                                    mesh.n_tetrahedra(), command.output.string()));
+    write_report({{"command", "convert"},
+                  {"input", command.input.string()},
+                  {"output", command.output.string()},
+                  {"vertices", mesh.n_vertices()},
+                  {"tetrahedra", mesh.n_tetrahedra()}},
+                 command.common);
+}
+
+bool is_solid_format(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".msh" || extension == ".mesh" || extension == ".vtk";
+}
+
 void run(const ConvertCommand& command) {
+    if (is_solid_format(command.output)) {
+        if (command.cells > 0)
+            return write_solid(fill_with_tetrahedra(load_mesh(command.input, command.common), command.cells),
+                               command);
+        if (const auto solid = load_solid(command.input, command.common)) return write_solid(*solid, command);
+    }
     AttributedMesh content = load_attributed_mesh(command.input, command.common);
     if (command.weld_distance >= 0) {
         TriangleMesh welded = weld(content.mesh, {.distance = command.weld_distance}).mesh;
@@ -46,7 +71,7 @@ void add_convert(CLI::App& program) {
     CLI::App* convert =
         program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
     add_input(*convert, command->common.files, "IN", command->input,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele)")
         ->required();
     add_output(*convert, command->common.files, "OUT", command->output, Content::mesh,
                "Mesh file; format from the file extension")
@@ -57,6 +82,12 @@ void add_convert(CLI::App& program) {
                      "Default: off")
         ->type_name("[LENGTH]")
         ->check(non_negative());
+    convert
+        ->add_option(
+            "--fill", command->cells,
+            "To .msh, .mesh or .vtk: fill a closed surface with cubes of six tetrahedra, this many along "
+            "its longest side")
+        ->check(whole_number(1, 256));
     add_common_options(*convert, command->common);
     on_run(*convert, command->common, [command] { run(*command); });
 }

@@ -32,7 +32,8 @@ struct Endings {
 
 const Endings& endings_of(Content content) {
     static const std::map<Content, Endings> endings = {
-        {Content::mesh, {"a mesh", {".off", ".obj", ".ply", ".stl", ".glb", ".gltf"}}},
+        {Content::mesh,
+         {"a mesh", {".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".msh", ".mesh", ".vtk"}}},
         {Content::matrix, {"a matrix", {".npy"}}},
         {Content::page, {"a web page", {".html", ".htm"}}},
         {Content::picture, {"a picture", {".png", ".svg"}}},

@@ -12,6 +12,7 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
+#include <counterpart/match/volume.hpp>
 #include <counterpart/spectral/functional_map.hpp>
 
 #include <algorithm>
@@ -29,6 +30,7 @@ struct MatchCommand {
     std::filesystem::path source, target, output, inverse, confidence, initial, functional;
     int functional_size = 100;
     std::string method = "auto";
+    std::shared_ptr<ExactArguments> exact;
     std::vector<MethodCommand> methods;
     std::map<const CLI::Option*, std::string> method_of_option;  // of those that belong to one
 
@@ -107,10 +109,73 @@ void write_functional_map(const MatchCommand& command, const MatchOutcome& outco
               command.functional);
 }
 
+// Solids know few options: of the methods', only --allow-mirror.
+void refuse_options_of_surfaces(const MatchCommand& command) {
+    for (const auto& [option, owner] : command.method_of_option) {
+        const std::string name = option->get_name();
+        const bool is_common = owner.empty() && name != "--initial" && name != "--functional-map";
+        if (option->count() > 0 && !is_common && name != "--allow-mirror")
+            throw InvalidInput(fmt::format("{} is not used where solids of tetrahedra are matched", name));
+    }
+}
+
+MatchMethod method_of_solids(const std::string& name) {
+    if (name == "auto") return MatchMethod::automatic;
+    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::spectral})
+        if (to_string(method) == name) return method;
+    throw InvalidInput(
+        fmt::format("--method {} does not match solids: use exact, frontiers or spectral", name));
+}
+
+void run_solids(const MatchCommand& command, const TetrahedralMesh& source, const TetrahedralMesh& target,
+                Stopwatch& watch) {
+    refuse_options_of_surfaces(command);
+    VolumeOptions options{.method = method_of_solids(command.method),
+                          .allow_mirror = command.exact->options.allow_mirror,
+                          .n_threads = command.common.threads,
+                          .progress = progress_bar("matching", command.common)};
+    const VolumeResult result = match_volume(source, target, options);
+    options.progress = {};
+    watch.lap("match");
+    if (result.method == MatchMethod::exact && !result.identical)
+        throw InvalidInput("the solids have different connectivity: " + result.difference);
+    MatchOutcome outcome;
+    outcome.target_from_source = result.target_from_source;
+    outcome.confidence = result.confidence;
+    write_outputs(command, outcome);
+    watch.lap("write");
+    for (const std::string& sentence : result.warnings) warn(sentence, command.source, command.target);
+    for (const std::string& message : result.notices) say(command.common, message);
+    const Index matched = count_matched(result.target_from_source);
+    say(command.common, fmt::format("matched {} of {} vertices of solids by '{}' in {:.2f} s -> {}", matched,
+                                    source.n_vertices(), to_string(result.method), watch.stages()[1].seconds,
+                                    command.output.string()));
+    write_report({{"command", "match"},
+                  {"source", command.source.string()},
+                  {"target", command.target.string()},
+                  {"method", to_string(result.method)},
+                  {"source_vertices", source.n_vertices()},
+                  {"target_vertices", target.n_vertices()},
+                  {"source_tetrahedra", source.n_tetrahedra()},
+                  {"target_tetrahedra", target.n_tetrahedra()},
+                  {"matched_vertices", matched},
+                  {"messages", result.notices},
+                  {"warnings", result.warnings},
+                  {"seconds", to_json(watch.stages())},
+                  {"stage_seconds", to_json(result.stages)}},
+                 command.common);
+}
+
 void run(const MatchCommand& command) {
     refuse_unused_options(command, command.method);
     if (!command.initial.empty()) refuse_unused_options_of_refinement(command);
     Stopwatch watch;
+    if (const auto solid = load_solid(command.source, command.common)) {
+        if (const auto target_solid = load_solid(command.target, command.common)) {
+            watch.lap("read");
+            return run_solids(command, *solid, *target_solid, watch);
+        }
+    }
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     watch.lap("read");
@@ -162,7 +227,8 @@ void add_match(CLI::App& program) {
     CLI::App* match = program.add_subcommand(
         "match", "Find the vertex of TARGET that corresponds to each vertex of SOURCE");
     add_input(*match, command->common.files, "SOURCE", command->source,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele); solids of "
+              "tetrahedra are matched inside too")
         ->required();
     add_input(*match, command->common.files, "TARGET", command->target, "Mesh file")->required();
     add_output(*match, command->common.files, "-o,--output", command->output, Content::map,
@@ -181,7 +247,7 @@ void add_match(CLI::App& program) {
                      "Number of eigenfunctions of --functional-map")
         ->check(whole_number(1, 1000))
         ->capture_default_str();
-    const auto exact = std::make_shared<ExactArguments>();
+    const auto exact = command->exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
     const auto partial = std::make_shared<PartialArguments>();
     for (const CLI::Option* option : match->get_options()) command->method_of_option[option] = "";

@@ -77,7 +77,7 @@ void write_frames(const TriangleMesh& first, const std::vector<Points>& frames, 
         throw IoError(
             fmt::format("{}: cannot create folder ({})", command.output.string(), failure.message()));
     const auto write = [&](const Points& vertices, std::size_t number) {
-        write_mesh({vertices, first.triangles},
+        write_mesh({vertices, first.triangles, first.polygons.empty() ? nullptr : &first.polygons},
                    command.output / fmt::format("frame_{:04}{}", number, command.format));
     };
     write(first.vertices, 0);

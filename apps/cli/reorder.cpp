@@ -8,6 +8,7 @@
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 #include <counterpart/match/exact.hpp>
+#include <counterpart/match/volume.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
 #include <memory>
@@ -25,17 +26,50 @@ struct ReorderCommand {
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
-// The least OBJ text with these triangles: reorder_obj takes only the faces from it.
-std::string obj_faces(const TriangleMesh& mesh) {
+// OBJ text with this mesh: reorder_obj takes the faces from it.
+std::string obj_text(const TriangleMesh& mesh) {
     std::string text;
-    for (Index v = 0; v < mesh.n_vertices(); ++v) text += "v 0 0 0\n";
-    for (Index t = 0; t < mesh.n_triangles(); ++t)
-        text += fmt::format("f {} {} {}\n", mesh.triangles(t, 0) + 1, mesh.triangles(t, 1) + 1,
-                            mesh.triangles(t, 2) + 1);
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        text += fmt::format("v {} {} {}\n", mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2));
+    const std::vector<Index> corners = mesh.polygons.triangle_corners();
+    for (Index f = 0; f < (corners.empty() ? mesh.n_triangles() : mesh.polygons.count()); ++f) {
+        text += 'f';
+        const Index first = corners.empty() ? 3 * f : mesh.polygons.first[static_cast<std::size_t>(f)];
+        for (Index k = 0; k < (corners.empty() ? 3 : mesh.polygons.size(f)); ++k) {
+            const Index corner = corners.empty() ? first + k : corners[static_cast<std::size_t>(first + k)];
+            text += fmt::format(" {}", mesh.triangles.data()[corner] + 1);
+        }
+        text += '\n';
+    }
     return text;
 }
 
+void run_solids(const ReorderCommand& command, TetrahedralMesh source, const TetrahedralMesh& target) {
+    const VolumeResult match = match_volume(source, target,
+                                            {.method = MatchMethod::exact,
+                                             .allow_mirror = command.options.allow_mirror,
+                                             .n_threads = command.common.threads});
+    if (!match.identical)
+        throw InvalidInput("the solids have different connectivity (" + match.difference +
+                           "), so the order cannot be restored");
+    for (const std::string& notice : match.notices) say(command.common, notice);
+    source.vertices = target.vertices(match.target_from_source.image(), Eigen::all).eval();
+    if (match.mirrored) source.tetrahedra.col(2).swap(source.tetrahedra.col(3));
+    write_tetrahedral_mesh(source, command.output);
+    say(command.common, fmt::format("{} vertices in the order of {} -> {}", source.n_vertices(),
+                                    command.source.string(), command.output.string()));
+    write_report({{"command", "reorder"},
+                  {"source", command.source.string()},
+                  {"target", command.target.string()},
+                  {"vertices", source.n_vertices()},
+                  {"messages", match.notices}},
+                 command.common);
+}
+
 void run(const ReorderCommand& command) {
+    if (auto source = load_solid(command.source, command.common))
+        if (const auto target = load_solid(command.target, command.common))
+            return run_solids(command, std::move(*source), *target);
     Stopwatch watch;
     const AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
     const AttributedMesh target_content = load_attributed_mesh(command.target, command.common);
@@ -51,8 +85,7 @@ void run(const ReorderCommand& command) {
     }
     for (const std::string& notice : match.notices) say(command.common, notice);
     if (is_obj(command.target) && is_obj(command.output)) {
-        const std::string faces =
-            is_obj(command.source) ? read_whole_file(command.source) : obj_faces(source);
+        const std::string faces = is_obj(command.source) ? read_whole_file(command.source) : obj_text(source);
         write_file(reorder_obj(faces, read_whole_file(command.target), match.target_from_source,
                                source.triangles, match.target_corner_from_source),
                    command.output);
