@@ -5,7 +5,6 @@
 // passed over.
 #include "io/cells.hpp"
 
-
 #include <fmt/format.h>
 
 namespace counterpart::io {

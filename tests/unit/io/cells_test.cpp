@@ -111,8 +111,7 @@ TEST_F(CellFiles, WhatIsWrittenIsReadAgain) {
         EXPECT_EQ(again->mesh.vertices, solid.vertices) << name;
         EXPECT_EQ(again->mesh.tetrahedra, solid.tetrahedra) << name;
     }
-    test::expect_error<IoError>([&] { write_tetrahedral_mesh(solid, folder_ / "a.obj"); },
-                                "must end in");
+    test::expect_error<IoError>([&] { write_tetrahedral_mesh(solid, folder_ / "a.obj"); }, "must end in");
 }
 
 }  // namespace
