@@ -50,13 +50,12 @@ def fit_weights(pairs, ridge=0.01, n_steps=20000):
     """Projected gradient descent in units of each feature's spread."""
     groups = [d for d in map(differences, pairs) if len(d)]
     spread = np.sqrt(np.mean([np.mean(d**2, axis=0) for d in groups], axis=0))
+    x = np.concatenate(groups) / spread
+    share = np.concatenate([np.full(len(d), 1 / len(d) / len(groups)) for d in groups])
     w = np.ones(4)
     for _ in range(n_steps):
-        gradient = 2 * ridge * w
-        for d in groups:
-            x = d / spread
-            gradient = gradient - (x / (1 + np.exp(np.clip(x @ w, -30, 30)))[:, None]).mean(axis=0) / len(groups)
-        w = np.maximum(w - 0.3 * gradient, 0)
+        pull = share / (1 + np.exp(np.clip(x @ w, -30, 30)))
+        w = np.maximum(w - 0.3 * (2 * ridge * w - pull @ x), 0)
     return w / spread / max(w[0] / spread[0], 1e-9)
 
 
