@@ -14,7 +14,7 @@ def make_pairs():
     body = counterpart.make_body(0)
     bent = counterpart.deform(body, bend=0.6, twist=0.2)
     sphere = counterpart.deform(counterpart.make_icosphere(2), warp=0.2, seed=4)
-    torus = counterpart.make_torus(24, 12)
+    torus = counterpart.make_torus(16, 8)
     return {
         "body": (body, counterpart.shuffle(bent, 2)[0]),
         "sphere": (sphere, counterpart.shuffle(counterpart.deform(sphere, twist=0.3), 7)[0]),
@@ -80,7 +80,8 @@ def test_match(program, files, method):
 )
 def test_options_of_match(program, tmp_path, method, arguments, options):
     """A ball in two poses, of which one has a hole for partial; for auto in two triangulations."""
-    vertices, triangles = counterpart.deform(counterpart.make_icosphere(2), warp=0.2, seed=4)
+    ball = counterpart.make_icosphere(2 if method in ("partial", "auto") else 1)
+    vertices, triangles = counterpart.deform(ball, warp=0.2, seed=4)
     source = (
         vertices,
         triangles[vertices[triangles, 1].mean(axis=1) < 0.7] if method in ("partial", "auto") else triangles,
