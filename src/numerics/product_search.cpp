@@ -5,6 +5,8 @@
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
 
+#include <counterpart/base/errors.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -157,6 +159,12 @@ Machine this_machine() {
 Machine this_machine() { return {4, search_block_4}; }
 #endif
 
+// Nothing is larger than NaN: where all sums are, the padding may win.
+void require_below(Eigen::Index size, const std::vector<Index>& partners) {
+    if (size > 0 && std::any_of(partners.begin(), partners.end(), [size](Index i) { return i >= size; }))
+        throw NumericalError("nearest neighbors: the numbers to compare are not finite");
+}
+
 }  // namespace
 
 BestPartners best_partners(const MatrixF& x, const MatrixF& y, const VectorF& row_bias,
@@ -182,6 +190,8 @@ BestPartners best_partners(const MatrixF& x, const MatrixF& y, const VectorF& ro
     rows.index.resize(static_cast<std::size_t>(x.rows()));
     if (n_blocks == 0) columns.emplace_back(right.bias.size());
     columns[0].index.resize(static_cast<std::size_t>(y.rows()));
+    require_below(y.rows(), rows.index);
+    require_below(x.rows(), columns[0].index);
     return {std::move(rows.index), std::move(columns[0].index)};
 }
 

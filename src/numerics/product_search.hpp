@@ -20,7 +20,7 @@ struct BestPartners {
 /// i, and the row i that maximizes S(i, j) - row_bias[i] for every column j; ties by smallest number. With
 /// biases of half the squared lengths these are the nearest neighbors. S is never stored. Every sum runs in
 /// one fixed order without fused operations: the result is the same on every machine and for any number of
-/// threads. O(n m d).
+/// threads. O(n m d). Throws NumericalError if all of y is NaN.
 BestPartners best_partners(const MatrixF& x, const MatrixF& y, const VectorF& row_bias,
                            const VectorF& column_bias);
 

@@ -4,7 +4,10 @@
 
 #include "base/parallel.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
+
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +47,11 @@ TEST(ProductSearch, TiesGoToTheSmallestNumber) {
     const BestPartners found = nearest(x, y);
     EXPECT_EQ(found.of_row, std::vector<Index>(700, 0));
     EXPECT_EQ(found.of_column, std::vector<Index>(90, 0));
+}
+
+TEST(ProductSearch, RefusesWhatIsNoNumber) {
+    const MatrixF none = MatrixF::Constant(7, 5, std::numeric_limits<float>::quiet_NaN());
+    EXPECT_THROW(nearest(random_rows(21, 5, 2), none), NumericalError);
 }
 
 TEST(ProductSearch, SameForAnyNumberOfThreads) {
