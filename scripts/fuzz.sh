@@ -54,17 +54,17 @@ counts() {
     END { for (key in inputs) print key, inputs[key], memory[key], time[key] | "sort" }' build/fuzz/runs | column -t
 }
 
-# The sources of each reader, by lines.
+# The sources of each reader, by lines; for glTF, what writes it by itself.
 coverage() {
-  local target program sources found
-  declare -A sources=([off]=off [obj]="obj obj_attributes obj_reorder" [ply]="ply ply_attributes ply_header" [stl]=stl
-    [gltf]="gltf gltf_accessor gltf_bytes gltf_document gltf_materials gltf_primitives gltf_split gltf_store gltf_uri gltf_write"
-    [npy]=npy [map]=map_file [surface_map]=surface_map_file)
-  for target in $readers; do
-    program=$(program_of fuzz-coverage "$target")
-    mkdir -p "build/fuzz/corpus/$target"
-    FUZZ_TARGET=$target LLVM_PROFILE_FILE=build/fuzz/$target.profraw "$program" -runs=0 "build/fuzz/corpus/$target" \
-      "tests/fuzz/cases/$target" > "build/fuzz/$target.coverage.log" 2>&1
+  local target program source found
+  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl
+    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_file
+    [surface_map]=surface_map_file [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
+  for target in $readers gltf_writing; do
+    program=$(program_of fuzz-coverage "${target%_writing}")
+    mkdir -p "build/fuzz/corpus/${target%_writing}"
+    FUZZ_TARGET=${target%_writing} LLVM_PROFILE_FILE=build/fuzz/$target.profraw "$program" -runs=0 \
+      "build/fuzz/corpus/${target%_writing}" "tests/fuzz/cases/${target%_writing}" > "build/fuzz/$target.coverage.log" 2>&1
     llvm-profdata merge -o "build/fuzz/$target.profdata" "build/fuzz/$target.profraw"
     found=
     for source in ${sources[$target]}; do found+=" src/io/$source.cpp"; done

@@ -8,6 +8,7 @@
 #include <counterpart/io/map_file.hpp>
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -15,7 +16,10 @@ namespace counterpart::io {
 
 VertexMap parse_vertex_map(std::string_view bytes, const std::filesystem::path& file,
                            IndexBase base = IndexBase::zero, Index target_size = -1);
+std::string vertex_map_bytes(const VertexMap& map, const std::filesystem::path& file,
+                             IndexBase base = IndexBase::zero);
 SurfaceMap parse_surface_map(std::string_view bytes, const std::filesystem::path& file);
+std::string surface_map_bytes(const SurfaceMap& map, const std::filesystem::path& file);
 std::variant<VertexMap, SurfaceMap> parse_map(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace counterpart::io

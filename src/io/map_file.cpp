@@ -68,17 +68,21 @@ VertexMap read_vertex_map(const std::filesystem::path& file, IndexBase base, Ind
     return parse_vertex_map(read_whole_file(file), file, base, target_size);
 }
 
-void write_vertex_map(const VertexMap& map, const std::filesystem::path& file, IndexBase base) {
+std::string io::vertex_map_bytes(const VertexMap& map, const std::filesystem::path& file, IndexBase base) {
     std::vector<Index> numbers = map.image();
     for (Index& number : numbers)
         if (number != VertexMap::unmatched) number += static_cast<Index>(base);
-    if (is_npy(file)) return write_npy(numbers, file);
+    if (is_npy(file)) return npy_bytes(numbers);
     std::string text;
     for (const Index number : numbers) {
         append_decimal(text, number);
         text += '\n';
     }
-    write_file(text, file);
+    return text;
+}
+
+void write_vertex_map(const VertexMap& map, const std::filesystem::path& file, IndexBase base) {
+    write_file(vertex_map_bytes(map, file, base), file);
 }
 
 }  // namespace counterpart

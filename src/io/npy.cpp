@@ -126,11 +126,15 @@ std::string file_start(std::string_view descr, const std::string& shape) {
 
 }  // namespace
 
-void write_npy(const Matrix& matrix, const std::filesystem::path& file) {
+std::string io::npy_bytes(const Matrix& matrix) {
     std::string bytes = file_start("<f8", fmt::format("{}, {}", matrix.rows(), matrix.cols()));
     bytes.reserve(bytes.size() + static_cast<std::size_t>(matrix.size()) * sizeof(double));
     for (Eigen::Index i = 0; i < matrix.size(); ++i) append_number(bytes, matrix.data()[i]);
-    write_file(bytes, file);
+    return bytes;
+}
+
+void write_npy(const Matrix& matrix, const std::filesystem::path& file) {
+    write_file(npy_bytes(matrix), file);
 }
 
 Matrix io::parse_npy(std::string_view bytes, const std::filesystem::path& file) {
@@ -145,16 +149,24 @@ Matrix io::parse_npy(std::string_view bytes, const std::filesystem::path& file) 
     return matrix;
 }
 
-void write_npy(const Vector& vector, const std::filesystem::path& file) {
+std::string io::npy_bytes(const Vector& vector) {
     std::string bytes = file_start("<f8", fmt::format("{},", vector.size()));
     for (const double number : vector) append_number(bytes, number);
-    write_file(bytes, file);
+    return bytes;
+}
+
+void write_npy(const Vector& vector, const std::filesystem::path& file) {
+    write_file(npy_bytes(vector), file);
+}
+
+std::string io::npy_bytes(std::span<const Index> numbers) {
+    std::string bytes = file_start("<i4", fmt::format("{},", numbers.size()));
+    for (const Index number : numbers) append_number(bytes, number);
+    return bytes;
 }
 
 void write_npy(std::span<const Index> numbers, const std::filesystem::path& file) {
-    std::string bytes = file_start("<i4", fmt::format("{},", numbers.size()));
-    for (const Index number : numbers) append_number(bytes, number);
-    write_file(bytes, file);
+    write_file(npy_bytes(numbers), file);
 }
 
 Matrix read_npy(const std::filesystem::path& file) { return parse_npy(read_whole_file(file), file); }

@@ -8,6 +8,8 @@
 #include <counterpart/io/file.hpp>
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,5 +20,8 @@ inline bool is_npy(const std::filesystem::path& file) { return lower_extension(f
 
 Matrix parse_npy(std::string_view bytes, const std::filesystem::path& file);
 std::vector<Index> parse_npy_indices(std::string_view bytes, const std::filesystem::path& file);
+std::string npy_bytes(const Matrix& matrix);
+std::string npy_bytes(const Vector& vector);
+std::string npy_bytes(std::span<const Index> numbers);
 
 }  // namespace counterpart::io

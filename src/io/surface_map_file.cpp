@@ -87,15 +87,14 @@ SurfaceMap read_surface_map(const std::filesystem::path& file) {
     return parse_surface_map(read_whole_file(file), file);
 }
 
-void write_surface_map(const SurfaceMap& map, const std::filesystem::path& file) {
+std::string io::surface_map_bytes(const SurfaceMap& map, const std::filesystem::path& file) {
     if (is_npy(file)) {
         Matrix rows(map.source_size(), 4);
         for (Index v = 0; v < map.source_size(); ++v) {
             const Eigen::Vector3d& w = map[v].weights;
             rows.row(v) << static_cast<double>(map[v].triangle), w[0], w[1], w[2];
         }
-        write_npy(rows, file);
-        return;
+        return npy_bytes(rows);
     }
     std::string text =
         "# triangle of the target and the weights of its corners, one line per source vertex\n";
@@ -107,7 +106,11 @@ void write_surface_map(const SurfaceMap& map, const std::filesystem::path& file)
         }
         text += '\n';
     }
-    write_file(text, file);
+    return text;
+}
+
+void write_surface_map(const SurfaceMap& map, const std::filesystem::path& file) {
+    write_file(surface_map_bytes(map, file), file);
 }
 
 std::variant<VertexMap, SurfaceMap> io::parse_map(std::string_view bytes, const std::filesystem::path& file) {

@@ -135,6 +135,7 @@ void require_map(const VertexMap& map, const Pair& pair) {
 
 void exact(Numbers& numbers) {
     ExactOptions options;
+    options.n_threads = 1;
     options.allow_mirror = numbers.byte() % 2 == 1;
     options.max_alternatives = numbers.byte() % 3;
     if (numbers.byte() % 4 == 0) options.weld_distance = (numbers.byte() % 8) / 16.0;
@@ -148,7 +149,7 @@ void exact(Numbers& numbers) {
 
 void differences(Numbers& numbers) {
     const Pair pair = meshes_from(numbers);
-    const MeshDifferences result = find_differences(pair.source, pair.target);
+    const MeshDifferences result = find_differences(pair.source, pair.target, {.n_threads = 1});
     require_map(result.target_from_source, pair);
     require(!result.summary.empty());
 }

@@ -78,36 +78,64 @@ GltfFile read_gltf_bytes(std::string_view bytes) {
     return surface_of(std::make_shared<const GltfContent>(parse_gltf(bytes, "/absent/fuzzed.gltf")));
 }
 
+// Written as it is, with the materials of another, with all numbers changed, or without what only glTF holds.
+AttributedMesh rewritten(const AttributedMesh& content, std::size_t way) {
+    AttributedMesh result = content;
+    if (way == 1) {
+        std::vector<Index> parts(static_cast<std::size_t>(content.mesh.n_triangles()), 0);
+        if (!content.parts.empty()) parts.assign(content.parts.rbegin(), content.parts.rend());
+        return with_materials(content, content, parts);
+    }
+    if (way >= 2) {
+        result.mesh.vertices *= 0.5;
+        for (CornerAttribute& uv : result.texture_coordinates) uv.values *= 0.5;
+        for (CornerAttribute& color : result.colors) color.values *= 0.5;
+    }
+    if (way == 3) {
+        result.document = nullptr;
+        result.part_names.clear();
+    }
+    return result;
+}
+
 void read_and_write_gltf(std::string_view bytes) {
     const AttributedMesh content = read_gltf_bytes(bytes).content;
     require_valid(content.mesh);
-    std::vector<Index> parts(static_cast<std::size_t>(content.mesh.n_triangles()), 0);
-    if (!content.parts.empty()) parts.assign(content.parts.rbegin(), content.parts.rend());
-    for (const AttributedMesh& written : {content, with_materials(content, content, parts)}) {
-        const AttributedMesh again = read_gltf_bytes(gltf_bytes(written, parts.size() % 2 == 0)).content;
-        require(again.mesh.n_triangles() == content.mesh.n_triangles());
-    }
+    const AttributedMesh written = rewritten(content, bytes.size() % 4);
+    const AttributedMesh again = read_gltf_bytes(gltf_bytes(written, bytes.size() % 8 < 4)).content;
+    require(again.mesh.n_triangles() == content.mesh.n_triangles());
 }
 
-// The first byte chooses the kind of map and of file.
+// The first byte chooses the kind of file, and what the caller says of the target.
 void read_map_bytes(std::string_view bytes) {
     if (bytes.empty()) return;
     const char* file = (bytes[0] & 1) != 0 ? "fuzzed.npy" : "fuzzed.txt";
     const IndexBase base = (bytes[0] & 2) != 0 ? IndexBase::one : IndexBase::zero;
-    const VertexMap map = parse_vertex_map(bytes.substr(1), file, base);
+    const Index target_size = (bytes[0] & 4) != 0 ? 5 : -1;
+    const VertexMap map = parse_vertex_map(bytes.substr(1), file, base, target_size);
     for (const Index image : map.image()) require(image >= -1 && image < map.target_size());
+    require(parse_vertex_map(vertex_map_bytes(map, file, base), file, base, target_size) == map);
 }
 
 void read_surface_map_bytes(std::string_view bytes) {
     if (bytes.empty()) return;
-    const auto map = parse_map(bytes.substr(1), (bytes[0] & 1) != 0 ? "fuzzed.npy" : "fuzzed.txt");
-    if (const auto* points = std::get_if<SurfaceMap>(&map))
+    const char* file = (bytes[0] & 1) != 0 ? "fuzzed.npy" : "fuzzed.txt";
+    const auto map = parse_map(bytes.substr(1), file);
+    if (const auto* points = std::get_if<SurfaceMap>(&map)) {
         require_valid(*points, points->source_size(), points->target_triangles);
+        require(parse_surface_map(surface_map_bytes(*points, file), file) == *points);
+    }
 }
 
 void read_npy_bytes(std::string_view bytes) {
     const Matrix matrix = parse_npy(bytes, name);
-    if (matrix.cols() == 1 && matrix.size() > 0) parse_npy_indices(bytes, name);
+    const std::string written = npy_bytes(matrix);
+    require(npy_bytes(parse_npy(written, name)) == written);  // bytes, because numbers may be NaN
+    if (matrix.cols() == 1 && matrix.size() > 0) {
+        parse_npy(npy_bytes(Vector(matrix.col(0))), name);
+        const std::vector<Index> numbers = parse_npy_indices(bytes, name);
+        require(parse_npy_indices(npy_bytes(numbers), name) == numbers);
+    }
 }
 
 template <void (*read)(std::string_view)>
