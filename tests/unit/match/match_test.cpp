@@ -127,7 +127,7 @@ TEST(Match, WhereTheVertexIsTheTargetsNothingIsFilled) {
 }
 
 TEST(Match, MinSharedDecidesWhatIsNearlyTheSame) {
-    const TriangleMesh source = make_body({.subdivisions = 0});
+    const TriangleMesh source = make_body({.subdivisions = 1});
     const test::DisguisedMesh target = disguised(test::without_vertex(source, 3).mesh);
     MatchOptions options = quick();
     options.min_shared = 1;  // one vertex of the source has no partner
@@ -139,7 +139,7 @@ TEST(Match, MinSharedDecidesWhatIsNearlyTheSame) {
 }
 
 TEST(Match, UnrelatedMeshesAreSpectral) {
-    const TriangleMesh source = make_torus(24, 12), target = make_body({.subdivisions = 0});
+    const TriangleMesh source = make_torus(40, 20), target = make_body({.subdivisions = 1});
     const MatchResult result = match(source, target, quick());
     EXPECT_EQ(result.method, MatchMethod::spectral);
     ASSERT_TRUE(result.exact.has_value());
