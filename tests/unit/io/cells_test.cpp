@@ -60,7 +60,7 @@ TEST_F(CellFiles, TriangleAndTetGenCountFrom0Or1) {
         for (int v = 0; v < 4; ++v) {
             nodes += std::to_string(v + base) + (v == 1 ? " 1" : " 0") + (v == 2 ? " 1" : " 0") +
                      (v == 3 ? " 1\n" : " 0\n");
-            element += " " + std::to_string(v + base);
+            element.append(" ").append(std::to_string(v + base));
         }
         write("a.node", nodes);
         const auto solid = read_tetrahedral_mesh(write("a.ele", "1 4 0\n" + element + "\n"));
