@@ -83,7 +83,7 @@ struct ScaleTuning {
     double min_share = 0.1, max_share = 1.1, max_ratio = 4;
     double step = 1.15;  ///< between scales that are tried
     int n_refinements = 3;
-    int n_samples = 100;  ///< of the part, for each scale that is tried
+    int n_samples = 100;                             ///< of the part, for each scale that is tried
     double min_distance = 0.05, max_distance = 0.5;  ///< of the pairs that refine it
 };
 
