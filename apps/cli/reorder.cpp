@@ -26,22 +26,18 @@ struct ReorderCommand {
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
-// OBJ text with this mesh: reorder_obj takes the faces from it.
-std::string obj_text(const TriangleMesh& mesh) {
-    std::string text;
-    for (Index v = 0; v < mesh.n_vertices(); ++v)
-        text += fmt::format("v {} {} {}\n", mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2));
-    const std::vector<Index> corners = mesh.polygons.triangle_corners();
-    for (Index f = 0; f < (corners.empty() ? mesh.n_triangles() : mesh.polygons.count()); ++f) {
-        text += 'f';
-        const Index first = corners.empty() ? 3 * f : mesh.polygons.first[static_cast<std::size_t>(f)];
-        for (Index k = 0; k < (corners.empty() ? 3 : mesh.polygons.size(f)); ++k) {
-            const Index corner = corners.empty() ? first + k : corners[static_cast<std::size_t>(first + k)];
-            text += fmt::format(" {}", mesh.triangles.data()[corner] + 1);
-        }
-        text += '\n';
-    }
-    return text;
+void report(const ReorderCommand& command, Index n_vertices, const std::vector<std::string>& notices,
+            const std::vector<StageTime>& stages = {}) {
+    for (const std::string& notice : notices) say(command.common, notice);
+    say(command.common, fmt::format("{} vertices in the order of {} -> {}", n_vertices,
+                                    command.source.string(), command.output.string()));
+    Json json{{"command", "reorder"},
+              {"source", command.source.string()},
+              {"target", command.target.string()},
+              {"vertices", n_vertices},
+              {"messages", notices}};
+    if (!stages.empty()) json["seconds"] = to_json(stages);
+    write_report(json, command.common);
 }
 
 void run_solids(const ReorderCommand& command, TetrahedralMesh source, const TetrahedralMesh& target) {
@@ -52,18 +48,10 @@ void run_solids(const ReorderCommand& command, TetrahedralMesh source, const Tet
     if (!match.identical)
         throw InvalidInput("the solids have different connectivity (" + match.difference +
                            "), so the order cannot be restored");
-    for (const std::string& notice : match.notices) say(command.common, notice);
     source.vertices = target.vertices(match.target_from_source.image(), Eigen::all).eval();
     if (match.mirrored) source.tetrahedra.col(2).swap(source.tetrahedra.col(3));
     write_tetrahedral_mesh(source, command.output);
-    say(command.common, fmt::format("{} vertices in the order of {} -> {}", source.n_vertices(),
-                                    command.source.string(), command.output.string()));
-    write_report({{"command", "reorder"},
-                  {"source", command.source.string()},
-                  {"target", command.target.string()},
-                  {"vertices", source.n_vertices()},
-                  {"messages", match.notices}},
-                 command.common);
+    report(command, source.n_vertices(), match.notices);
 }
 
 void run(const ReorderCommand& command) {
@@ -83,27 +71,21 @@ void run(const ReorderCommand& command) {
             "the meshes have different connectivity (" + match.difference +
             "), so the order cannot be restored; 'match --method exact' reports where they differ");
     }
-    for (const std::string& notice : match.notices) say(command.common, notice);
     if (is_obj(command.target) && is_obj(command.output)) {
-        const std::string faces = is_obj(command.source) ? read_whole_file(command.source) : obj_text(source);
-        write_file(reorder_obj(faces, read_whole_file(command.target), match.target_from_source,
-                               source.triangles, match.target_corner_from_source),
-                   command.output);
+        const std::string shape = read_whole_file(command.target);
+        write_file(
+            is_obj(command.source)
+                ? reorder_obj(read_whole_file(command.source), shape, match.target_from_source,
+                              source.triangles, match.target_corner_from_source)
+                : reorder_obj(source, shape, match.target_from_source, match.target_corner_from_source),
+            command.output);
     } else {
         write_attributed_mesh(reorder(source_content, target_content, match.target_from_source,
                                       match.target_corner_from_source),
                               command.output);
     }
     watch.lap("write");
-    say(command.common, fmt::format("{} vertices in the order of {} -> {}", source.n_vertices(),
-                                    command.source.string(), command.output.string()));
-    write_report({{"command", "reorder"},
-                  {"source", command.source.string()},
-                  {"target", command.target.string()},
-                  {"vertices", source.n_vertices()},
-                  {"messages", match.notices},
-                  {"seconds", to_json(watch.stages())}},
-                 command.common);
+    report(command, source.n_vertices(), match.notices, watch.stages());
 }
 
 }  // namespace

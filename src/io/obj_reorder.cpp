@@ -191,4 +191,10 @@ std::string reorder_obj(std::string_view source_text, std::string_view target_te
         .run(source_text);
 }
 
+std::string reorder_obj(MeshView source, std::string_view target_text, const VertexMap& target_from_source,
+                        TrianglesView target_corner_from_source) {
+    return reorder_obj(io::obj_bytes(source), target_text, target_from_source, source.triangles,
+                       target_corner_from_source);
+}
+
 }  // namespace counterpart

@@ -21,4 +21,8 @@ std::string reorder_obj(std::string_view source_text, std::string_view target_te
                         const VertexMap& target_from_source, TrianglesView source_triangles,
                         TrianglesView target_corner_from_source);
 
+/// The same for a source that is no OBJ file: its polygons, or its triangles where it has none.
+std::string reorder_obj(MeshView source, std::string_view target_text, const VertexMap& target_from_source,
+                        TrianglesView target_corner_from_source);
+
 }  // namespace counterpart

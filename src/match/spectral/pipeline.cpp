@@ -38,11 +38,13 @@ Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
     return directions;
 }
 
-Priors priors_of(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options) {
+Priors priors_of(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
+                 const PriorTuning& tuning) {
     Priors priors = make_priors(source, target, matched(options.landmarks, source.origin, target.origin),
                                 matched(options.excluded, source.origin, target.origin));
     priors.directions = common_directions(options);
     priors.pinned = !options.soft_landmarks;
+    priors.tuning = tuning;
     return priors;
 }
 
@@ -142,7 +144,7 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     std::optional<PreparedShape> mirror;
     if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
     const PreparedShape* matched = options.symmetric ? &*mirror : &target;
-    const Priors priors = priors_of(source, target, options);
+    const Priors priors = priors_of(source, target, options, tuning.priors);
     std::vector<Candidate> finalists = find_finalists(source, *matched, priors, options, tuning,
                                                       progress.part(0, may_be_mirrored ? 0.3 : 0.6), watch);
     std::string warning;

@@ -80,7 +80,8 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 }
 
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
-                    const PairedMaps& maps, const PriorTuning& tuning) {
+                    const PairedMaps& maps) {
+    const PriorTuning& tuning = priors.tuning;
     double result = 0;
     for (const PriorPair& pair : priors.landmarks)
         result += tuning.weight * std::max(0.0, image_distance(a, b, pair, maps) - tuning.slack);

@@ -25,6 +25,7 @@ struct Priors {
     /// Directions of space that mean the same to both shapes, a column each (3 x at most 3).
     Eigen::Matrix3Xd directions = Eigen::Matrix3Xd(3, 0);
     bool pinned = true;  // landmarks hold exactly
+    PriorTuning tuning = {};
 
     bool empty() const { return landmarks.empty() && excluded.empty() && directions.cols() == 0; }
     /// Landmarks that hold exactly.
@@ -40,7 +41,7 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 /// excluded pairs that are near each other under the map, coordinates along the common directions that do not
 /// agree.
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
-                    const PairedMaps& maps, const PriorTuning& tuning);
+                    const PairedMaps& maps);
 
 /// The maps with the given vertices taken to each other.
 void pin(PairedMaps& maps, const VertexPairs& pins);

@@ -138,7 +138,7 @@ Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedF
     scores.total = weights.curvature * scores.curvature + weights.orientation * scores.orientation -
                    weights.orthogonality * std::min(scores.orthogonality, 1.0) -
                    weights.drift * scores.drift - weights.rigidity * scores.rigidity;
-    if (!pair.priors.empty()) scores.total -= disagreement(pair.a, pair.b, pair.priors, maps, {});
+    if (!pair.priors.empty()) scores.total -= disagreement(pair.a, pair.b, pair.priors, maps);
     return scores;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "match/isomorphism/counting.hpp"
+#include "match/isomorphism/first_difference.hpp"
 #include "match/symmetry/component_assignment.hpp"
 #include "match/volume/solid_map.hpp"
 
@@ -284,22 +285,14 @@ class Matcher {
 };
 
 std::string first_difference(const SolidMap& a, const SolidMap& b) {
-    struct Property {
-        const char* name;
-        std::size_t in_source, in_target;
-    };
-    for (const Property& property :
-         {Property{"tetrahedra", to_size(a.mesh.n_tetrahedra()), to_size(b.mesh.n_tetrahedra())},
-          Property{"vertices", to_size(a.mesh.n_vertices()), to_size(b.mesh.n_vertices())},
-          Property{"vertices without tetrahedra", a.isolated.size(), b.isolated.size()},
-          Property{"components", to_size(a.n_components()), to_size(b.n_components())},
-          Property{"faces at the boundary", to_size(a.boundary_faces), to_size(b.boundary_faces)},
-          Property{"faces with more than two tetrahedra", to_size(a.overlapping_faces),
-                   to_size(b.overlapping_faces)}})
-        if (property.in_source != property.in_target)
-            return fmt::format("the source has {} {}, the target {}", property.in_source, property.name,
-                               property.in_target);
-    return {};
+    return isomorphism::first_difference(
+        {{"tetrahedra", to_size(a.mesh.n_tetrahedra()), to_size(b.mesh.n_tetrahedra())},
+         {"vertices", to_size(a.mesh.n_vertices()), to_size(b.mesh.n_vertices())},
+         {"vertices without tetrahedra", a.isolated.size(), b.isolated.size()},
+         {"components", to_size(a.n_components()), to_size(b.n_components())},
+         {"faces at the boundary", to_size(a.boundary_faces), to_size(b.boundary_faces)},
+         {"faces with more than two tetrahedra", to_size(a.overlapping_faces),
+          to_size(b.overlapping_faces)}});
 }
 
 // The vertices without tetrahedra, by position after the alignment of the others.
