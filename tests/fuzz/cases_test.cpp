@@ -15,11 +15,7 @@
 namespace counterpart {
 namespace {
 
-#ifdef NDEBUG
 constexpr std::chrono::seconds time_limit{10};
-#else
-constexpr std::chrono::seconds time_limit{60};  // not optimized, and with sanitizers
-#endif
 
 class FuzzCases : public testing::TestWithParam<fuzz::Target> {};
 
