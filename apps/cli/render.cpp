@@ -57,8 +57,8 @@ void check(const RenderCommand& command, const Figure& figure) {
     if (!command.maps.empty() && command.target.empty()) throw InvalidInput("--map needs SOURCE and TARGET");
     if (figure.name == "matrix" && !command.target.empty() && command.maps.empty())
         fail("--map for two meshes");
-    if (figure.name != "curve" && command.maps.size() > 1)
-        throw InvalidInput("several maps need --show curve");
+    if (!figure.compares_maps && command.maps.size() > 1)
+        throw InvalidInput("several maps need --show colors, checker or curve");
     const std::string extension = lower_extension(command.output);
     if (!extension.empty() && extension != ".png" && !(extension == ".svg" && figure.diagram))
         throw InvalidInput(fmt::format("--show {} writes {}, not '{}'", figure.name,
@@ -122,10 +122,12 @@ void add_inputs(CLI::App& render, RenderCommand& command) {
     add_output(render, files, "-o,--output", command.output, Content::picture,
                "Image file: .png, or .svg for curves")
         ->required();
-    add_input(render, files, "--map", command.maps,
-              "Map file: line i = target vertex of source vertex i, 0-based; or a surface map");
+    add_input(
+        render, files, "--map", command.maps,
+        "Map file: line i = target vertex of source vertex i, 0-based; or a surface map. With several, the "
+        "target appears once for each, side by side");
     render.add_option("--label", command.request.labels,
-                      "Name of each map in the legend. Default: its file name");
+                      "Name of each map in the picture. Default: its file name");
     add_truth_options(render, files, command.truth);
 }
 
@@ -196,19 +198,23 @@ std::vector<PlacedMesh> RenderRequest::placed() const {
     if (target) {
         const Camera target_view =
             maps.empty() ? source_view : matching_camera(source_view, source, *target, maps[0].vertices);
-        places.emplace_back(*target, target_view);
+        places.insert(places.end(), std::max<std::size_t>(maps.size(), 1), Placement(*target, target_view));
     }
     arrange_in_row(places);
-    std::vector<PlacedMesh> result = {{source, places[0]}};
-    if (target) result.push_back({*target, places[1]});
+    std::vector<PlacedMesh> result;
+    for (const Placement& place : places) result.push_back({result.empty() ? source : *target, place});
     return result;
 }
 
-Image RenderRequest::paint(const Scene& scene, int bottom) const {
+RenderOptions RenderRequest::options(int bottom) const {
     RenderOptions options{.width = width, .height = height, .bottom = bottom};
     options.n_threads = common.threads;
     options.progress = progress_bar("rendering", common);
-    return render::render(scene, options);
+    return options;
+}
+
+Image RenderRequest::paint(const Scene& scene, int bottom) const {
+    return render::render(scene, options(bottom));
 }
 
 void add_render(CLI::App& program) {

@@ -39,8 +39,10 @@ struct RenderRequest {
     LineOptions lines;
     Colormap colormap = Colormap::magma;
 
-    /// The meshes from left to right, in the same orientation.
+    /// The meshes from left to right, in the same orientation: the source, and the target once for each map.
     std::vector<PlacedMesh> placed() const;
+    /// With so many pixels free at the bottom.
+    RenderOptions options(int bottom = 0) const;
     Image paint(const Scene& scene, int bottom = 0) const;
 };
 
@@ -48,7 +50,8 @@ struct Figure {
     std::string name;
     std::string summary;  ///< for --help
     bool needs_target = false, needs_map = false, needs_truth = false;
-    std::function<Image(const RenderRequest&)> draw;
+    bool compares_maps = false;  ///< takes several
+    std::function<Image(const RenderRequest&)> draw{};
     /// Instead of draw: a diagram, which can be SVG as well.
     std::function<Drawing(const RenderRequest&)> diagram{};
 };

@@ -173,12 +173,16 @@ Image draw_alignment(const RenderRequest& request) {
 }  // namespace
 
 std::vector<Figure> frontier_figures() {
-    return {{"frontiers", "every n-th frontier (--every) around --vertex, as bands or --dots", false, false,
-             false, draw_frontiers},
-            {"shortcuts", "edges, shortcut edges and frontiers within --radius of --vertex", false, false,
-             false, draw_shortcuts},
-            {"alignment", "two matching frontiers (--frontier) in space before and after alignment", true,
-             false, false, draw_alignment}};
+    return {{.name = "frontiers",
+             .summary = "every n-th frontier (--every) around --vertex, as bands or --dots",
+             .draw = draw_frontiers},
+            {.name = "shortcuts",
+             .summary = "edges, shortcut edges and frontiers within --radius of --vertex",
+             .draw = draw_shortcuts},
+            {.name = "alignment",
+             .summary = "two matching frontiers (--frontier) in space before and after alignment",
+             .needs_target = true,
+             .draw = draw_alignment}};
 }
 
 }  // namespace counterpart::cli

@@ -12,9 +12,33 @@
 namespace counterpart::cli {
 namespace {
 
+// The name of each map below its copy of the target.
+void write_labels(const RenderRequest& request, const std::vector<PlacedMesh>& placed, const Frame& frame,
+                  double size, Image& image) {
+    Drawing drawing{request.width, request.height, {}};
+    for (std::size_t i = 0; i < request.maps.size(); ++i) {
+        const PlacedMesh& target = placed[i + 1];
+        const Points vertices = target.placement(target.mesh).vertices;
+        const Eigen::RowVector3d low = vertices.colwise().minCoeff(), high = vertices.colwise().maxCoeff();
+        const double x = frame.pixel((low + high) / 2).x(), y = frame.pixel(low).y() + 2 * size;
+        drawing.shapes.emplace_back(
+            Text{.at = {x, y}, .text = request.labels[i], .size = size, .anchor = 0.5});
+    }
+    render::draw(drawing, image);
+}
+
 Image draw_texture(const RenderRequest& request, Texture texture) {
     const std::vector<PlacedMesh> placed = request.placed();
-    return request.paint(texture_scene(placed[0], placed[1], request.maps[0].vertices, texture));
+    Scene scene = texture_scene(placed[0], placed[1], request.maps[0].vertices, texture);
+    if (request.maps.size() == 1) return request.paint(scene);
+    for (std::size_t i = 1; i < request.maps.size(); ++i)
+        scene.surfaces.push_back(
+            texture_scene(placed[0], placed[i + 1], request.maps[i].vertices, texture).surfaces[1]);
+    const double text = std::max(11.0, request.height / 45.0);
+    const int bottom = static_cast<int>(3 * text);
+    Image image = request.paint(scene, bottom);
+    write_labels(request, placed, fit(scene, request.options(bottom)), text, image);
+    return image;
 }
 
 Image draw_lines(const RenderRequest& request) {
@@ -84,19 +108,36 @@ Drawing draw_curve(const RenderRequest& request) {
 }  // namespace
 
 std::vector<Figure> map_figures() {
-    return {{"colors", "the source colored by position, colors transferred to the target", true, true, false,
-             [](const RenderRequest& r) { return draw_texture(r, Texture::colors); }},
-            {"checker", "the same with a checkerboard, which shows stretch and tears", true, true, false,
-             [](const RenderRequest& r) { return draw_texture(r, Texture::checker); }},
-            {"lines", "lines between matched points", true, true, false, draw_lines},
-            {"error", "geodesic errors as colors, on both meshes", true, true, true, draw_error},
-            {"curve",
-             "fraction of pairs within each error, for one or more maps; PNG or SVG",
-             true,
-             true,
-             true,
-             {},
-             draw_curve}};
+    return {{.name = "colors",
+             .summary = "the source colored by position, colors transferred to the target",
+             .needs_target = true,
+             .needs_map = true,
+             .compares_maps = true,
+             .draw = [](const RenderRequest& r) { return draw_texture(r, Texture::colors); }},
+            {.name = "checker",
+             .summary = "the same with a checkerboard, which shows stretch and tears",
+             .needs_target = true,
+             .needs_map = true,
+             .compares_maps = true,
+             .draw = [](const RenderRequest& r) { return draw_texture(r, Texture::checker); }},
+            {.name = "lines",
+             .summary = "lines between matched points",
+             .needs_target = true,
+             .needs_map = true,
+             .draw = draw_lines},
+            {.name = "error",
+             .summary = "geodesic errors as colors, on both meshes",
+             .needs_target = true,
+             .needs_map = true,
+             .needs_truth = true,
+             .draw = draw_error},
+            {.name = "curve",
+             .summary = "fraction of pairs within each error, for one or more maps; PNG or SVG",
+             .needs_target = true,
+             .needs_map = true,
+             .needs_truth = true,
+             .compares_maps = true,
+             .diagram = draw_curve}};
 }
 
 }  // namespace counterpart::cli

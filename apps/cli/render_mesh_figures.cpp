@@ -92,11 +92,13 @@ std::vector<Index> chosen_vertices(const RenderRequest& request) {
 }
 
 std::vector<Figure> mesh_figures() {
-    return {{"plain", "one or two meshes as they are", false, false, false, draw_plain},
-            {"bases", "farthest-point samples (--bases, --radius) and their cells", false, false, false,
-             draw_bases},
-            {"matrix", "distances between farthest-point samples, and between their images", false, false,
-             false, draw_matrix}};
+    return {{.name = "plain", .summary = "one or two meshes as they are", .draw = draw_plain},
+            {.name = "bases",
+             .summary = "farthest-point samples (--bases, --radius) and their cells",
+             .draw = draw_bases},
+            {.name = "matrix",
+             .summary = "distances between farthest-point samples, and between their images",
+             .draw = draw_matrix}};
 }
 
 }  // namespace counterpart::cli

@@ -124,6 +124,10 @@ refuse 2 "kind" descriptors torus.off -o none.npy --kind nonsense
 run match body.off pose.off $fast -o map.txt --inverse inverse.txt --confidence confidence.npy --alternatives 2 \
   --alternatives-output other.txt --report report.json
 says "score"
+run render body.off pose.off --map map.txt --size 320x200 -o one.png
+run render body.off pose.off --map map.txt --map other_1.txt --label best --size 320x200 -o both.png
+! cmp -s one.png both.png || fail "the second map is not in the picture"
+refuse 1 "several maps" render body.off pose.off --map map.txt --map other_1.txt --show lines -o none.png
 python3 - << 'END'
 import json
 r = json.load(open("report.json"))

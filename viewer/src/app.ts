@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: MIT
 import { Quaternion, Vector3 } from "three";
 import { Correspondence } from "./correspondence";
-import { carry, type Field, fill, positionField, scalarField } from "./field";
+import { carry, type Field, positionField, rangeOf, scalarField } from "./field";
 import { Interaction } from "./interaction";
+import { Landmarks } from "./landmarks";
 import type { Mode, Selection, Side } from "./modes";
+import { morphGoal } from "./morph";
+import { Names } from "./names";
 import { type Line, type Marker, Overlay } from "./overlay";
 import { errorStops, interpolate, positionColor } from "./palette";
 import { element, Panel } from "./panel";
 import { colorLegend, describe, errorLegend, levelLegend, valueLegend } from "./readout";
 import { sampleVertices } from "./sample";
 import type { SceneData } from "./scene_data";
-import { type ScreenPoint, Stage } from "./stage";
+import { type Pane, type ScreenPoint, Stage } from "./stage";
 import { Surface } from "./surface";
 
 const sourceColor = "#ffd23f";
@@ -19,14 +22,17 @@ const targetColor = "#ff5fa2";
 const truthColor = "#3ddc84";
 const maxMarkers = 50; // of the source vertices that share a target vertex
 const frontierBands = 24;
+const maxCompared = 4; // maps side by side
 
 /** Holds the state of the page and redraws when it changes. */
 export class App {
-  private readonly surfaces: Record<Side, Surface>;
+  private readonly source: Surface;
+  private readonly targets: Surface[]; // one for each map that is shown at once
   private readonly stage: Stage;
   private readonly overlay = new Overlay(element<HTMLCanvasElement>("overlay"));
   private readonly interaction: Interaction;
   private readonly panel: Panel;
+  private readonly names: Names;
   private readonly correspondences: Correspondence[];
   private readonly samples: number[];
   private mapIndex = 0;
@@ -42,22 +48,20 @@ export class App {
   private valuesIndex = 0;
   private errorEnd: number | null = null; // null = automatic
   private isPicking = false;
-  private pickedSource: number | null = null;
-  private landmarks: [number, number][] = [];
+  private isComparing = false;
+  private readonly landmarks = new Landmarks();
   private meshesChanged = false;
   /** Number of times the meshes were drawn. */
   frames = 0;
 
   constructor(private readonly scene: SceneData) {
     const view = new Quaternion().fromArray(scene.viewFromSource);
-    this.surfaces = {
-      source: new Surface(scene.source, view),
-      target: new Surface(scene.target, view.clone().multiply(new Quaternion().fromArray(scene.sourceFromTarget))),
-    };
+    this.source = new Surface(scene.source, view);
+    this.targets = [new Surface(scene.target, view.clone().multiply(new Quaternion().fromArray(scene.sourceFromTarget)))];
     this.correspondences = scene.maps.map((map) => new Correspondence(map, scene));
-    this.base = scene.baseVertex >= 0 ? scene.baseVertex : this.surfaces.source.topology.extremity();
+    this.base = scene.baseVertex >= 0 ? scene.baseVertex : this.source.topology.extremity();
     this.samples = sampleVertices(scene.source, 200);
-    this.stage = new Stage(element<HTMLCanvasElement>("meshes"), this.surfaces);
+    this.stage = new Stage(element<HTMLCanvasElement>("meshes"), this.panes());
     this.interaction = new Interaction(this.stage, {
       viewChanged: () => this.requestFrame(),
       hover: (x, y) => {
@@ -70,8 +74,11 @@ export class App {
         this.highlight(null);
       },
       select: (x, y) => {
-        const selection = this.stage.pick(x, y);
-        if (this.isPicking && selection) this.pickLandmark(selection);
+        const selection = this.pick(x, y);
+        if (this.isPicking && selection) {
+          this.landmarks.pick(selection);
+          this.showLandmarks();
+        }
         this.pin(selection);
       },
       release: () => this.pin(null),
@@ -110,16 +117,17 @@ export class App {
       },
       picking: (picking) => {
         this.isPicking = picking;
-        this.pickedSource = null;
+        this.landmarks.stop();
         this.showLandmarks();
       },
-      saveLandmarks: () => this.saveLandmarks(),
+      saveLandmarks: () => this.landmarks.save(),
       clearLandmarks: () => {
-        this.landmarks = [];
+        this.landmarks.clear();
         this.showLandmarks();
       },
+      comparing: (comparing) => this.compare(comparing),
     });
-    this.nameMeshes();
+    this.names = new Names(scene);
     new ResizeObserver(() => this.resize()).observe(this.stage.canvas);
     this.recolor();
     this.updateText();
@@ -128,20 +136,24 @@ export class App {
 
   // ---- for scripts ----
 
-  /** Where a vertex is on the page. */
-  screenPosition(side: Side, vertex: number): ScreenPoint {
-    const point = this.stage.project(side, vertex);
+  /** Where a vertex is on the page; of the target, where it is seen through a map (default: the current one). */
+  screenPosition(side: Side, vertex: number, map = this.mapIndex): ScreenPoint {
+    const point = this.stage.project(side === "source" ? 0 : this.paneOf(map), vertex);
     const box = this.stage.canvas.getBoundingClientRect();
     return { ...point, x: point.x + box.left, y: point.y + box.top };
   }
 
-  /** The vertices marked on both meshes. */
-  highlighted(): Record<Side, number[]> {
+  /** The vertices marked on both meshes, under a map (default: the current one). */
+  highlighted(map = this.mapIndex): Record<Side, number[]> {
     const selection = this.hovered ?? this.pinned;
     if (!selection) return { source: [], target: [] };
-    if (selection.side === "target")
-      return { source: this.current.sourcesOf(selection.vertex), target: [selection.vertex] };
-    const image = this.current.map.image[selection.vertex];
+    if (selection.side === "target") {
+      const sources = this.correspondences[selection.map ?? map].sourcesOf(selection.vertex);
+      if ((selection.map ?? map) === map) return { source: sources, target: [selection.vertex] };
+      const images = sources.map((v) => this.correspondences[map].map.image[v]).filter((image) => image >= 0);
+      return { source: sources, target: [...new Set(images)] };
+    }
+    const image = this.correspondences[map].map.image[selection.vertex];
     return { source: [selection.vertex], target: image < 0 ? [] : [image] };
   }
 
@@ -159,8 +171,41 @@ export class App {
     return this.correspondences[this.mapIndex];
   }
 
+  /** The maps that are seen now, one pane of the target each. */
+  private shownMaps(): number[] {
+    return this.isComparing ? [...this.correspondences.keys()].slice(0, maxCompared) : [this.mapIndex];
+  }
+
+  private paneOf(map: number): number {
+    return Math.max(this.shownMaps().indexOf(map), 0) + 1;
+  }
+
+  private panes(): Pane[] {
+    const targets = this.shownMaps().map((_, i) => {
+      this.targets[i] ??= new Surface(this.scene.target, this.targets[0].upright, this.targets[0]);
+      return { side: "target" as const, surface: this.targets[i] };
+    });
+    return [{ side: "source", surface: this.source }, ...targets];
+  }
+
+  private compare(comparing: boolean): void {
+    this.isComparing = comparing;
+    this.stage.panes = this.panes();
+    this.names.showMaps(comparing ? this.shownMaps() : []);
+    this.names.place(this.stage);
+    this.recolor();
+  }
+
+  private pick(x: number, y: number): Selection | null {
+    const picked = this.stage.pick(x, y);
+    if (!picked) return null;
+    const { pane, vertex } = picked;
+    return pane === 0 ? { side: "source", vertex } : { side: "target", vertex, map: this.shownMaps()[pane - 1] };
+  }
+
   private highlight(selection: Selection | null): void {
-    if (selection?.side === this.hovered?.side && selection?.vertex === this.hovered?.vertex) return;
+    const before = this.hovered;
+    if (selection?.side === before?.side && selection?.vertex === before?.vertex && selection?.map === before?.map) return;
     this.hovered = selection;
     this.updateText();
     this.requestFrame("overlay");
@@ -181,75 +226,38 @@ export class App {
 
   // ---- landmarks ----
 
-  /** A vertex of the source, then one of the target, are a pair. */
-  private pickLandmark({ side, vertex }: Selection): void {
-    if (side === "source") {
-      this.pickedSource = vertex;
-    } else if (this.pickedSource !== null) {
-      this.landmarks.push([this.pickedSource, vertex]);
-      this.pickedSource = null;
-    }
-    this.showLandmarks();
-  }
-
   private showLandmarks(): void {
-    this.panel.showLandmarks(this.landmarks.length, this.pickedSource === null ? "" : "now its counterpart");
+    this.panel.showLandmarks(this.landmarks.pairs.length, this.landmarks.isWaiting ? "now its counterpart" : "");
     this.requestFrame("overlay");
-  }
-
-  /** As `counterpart match --landmarks` reads it. */
-  private saveLandmarks(): void {
-    const lines = this.landmarks.map(([source, target]) => `${source} ${target}\n`);
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob(lines, { type: "text/plain" }));
-    link.download = "landmarks.txt";
-    link.click();
-    URL.revokeObjectURL(link.href);
   }
 
   private updateMorph(): void {
     if (this.morph > 0 && this.goalMap !== this.mapIndex) {
       this.goalMap = this.mapIndex;
-      this.surfaces.source.setGoal(...this.morphGoal());
+      const rotation = new Quaternion().fromArray(this.scene.sourceFromTarget);
+      this.source.setGoal(...morphGoal(this.source, this.targets[0], this.current.map.image, rotation));
     }
-    this.surfaces.source.morph = this.morph;
+    this.source.morph = this.morph;
     this.requestFrame();
-  }
-
-  /** Positions of the images of the source's vertices, in the source's frame; unmatched vertices follow their neighbors. */
-  private morphGoal(): [Float32Array, Float32Array] {
-    const { source, target } = this.surfaces;
-    const rotation = new Quaternion().fromArray(this.scene.sourceFromTarget);
-    const image = this.current.map.image;
-    const gather = (values: Float32Array): Float32Array => {
-      const field: Field = new Float32Array(4 * image.length);
-      const value = new Vector3();
-      image.forEach((to, v) => {
-        if (to < 0) return;
-        value.fromArray(values, 3 * to).applyQuaternion(rotation).toArray(field, 4 * v);
-        field[4 * v + 3] = 1;
-      });
-      fill(field, source.topology, Infinity);
-      return Float32Array.from({ length: 3 * image.length }, (_, i) => field[4 * Math.floor(i / 3) + (i % 3)]);
-    };
-    return [gather(target.data.positions), gather(target.normals)];
   }
 
   // ---- colors ----
 
   private recolor(): void {
-    const { source, target } = this.surfaces;
-    const { field, top, bandWidth } = this.sourceField();
-    const carried = field ? carry(field, this.current.map.image, target.topology) : null;
+    const { field, top, bandWidth } = this.sourceField(this.current);
     const cells = this.checkerCells();
-    source.show(this.mode, field, top, bandWidth, cells);
-    target.show(this.mode, carried, top, bandWidth, cells);
+    this.source.show(this.mode, field, top, bandWidth, cells);
+    this.shownMaps().forEach((map, i) => {
+      const shown = this.correspondences[map];
+      const own = this.sourceField(shown).field;
+      const carried = own ? carry(own, shown.map.image, this.targets[i].topology) : null;
+      this.targets[i].show(this.mode, carried, top, bandWidth, cells);
+    });
     this.updateLegend(top, bandWidth);
     this.requestFrame();
   }
 
-  private sourceField(): { field: Field | null; top: number; bandWidth: number } {
-    const { map } = this.current;
+  private sourceField({ map }: Correspondence): { field: Field | null; top: number; bandWidth: number } {
     switch (this.mode) {
       case "colors":
       case "checker":
@@ -259,14 +267,14 @@ export class App {
         return { field: scalarField(error, (v) => !Number.isNaN(error[v])), top: this.errorTop(), bandWidth: 1 };
       }
       case "frontiers": {
-        const levels = this.surfaces.source.topology.levels(this.base);
+        const levels = this.source.topology.levels(this.base);
         const top = levels.reduce((a, b) => Math.max(a, b), 1);
         const field = scalarField(levels, (v) => levels[v] >= 0);
         return { field, top, bandWidth: Math.max(1, Math.round(top / frontierBands)) };
       }
       case "values": {
         const { values } = this.scene.values[this.valuesIndex];
-        const [low, high] = this.valueRange();
+        const [low, high] = rangeOf(this.scene.values[this.valuesIndex].values);
         const scaled = values.map((value) => (value - low) / (high - low || 1));
         return { field: scalarField(scaled, (v) => Number.isFinite(values[v])), top: 1, bandWidth: 1 };
       }
@@ -281,41 +289,14 @@ export class App {
     return Math.max(...this.correspondences.filter(({ map }) => map.error).map((c) => c.errorScale()), 1e-6);
   }
 
-  private valueRange(): [number, number] {
-    const known = this.scene.values[this.valuesIndex].values.filter(Number.isFinite);
-    return [known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity)];
-  }
-
   /** Cells of the checkerboard along each axis. */
   private checkerCells(): Vector3 {
-    const size = new Vector3().subVectors(...this.sourceBox());
+    const size = new Vector3().subVectors(...this.source.box());
     const longest = Math.max(size.x, size.y, size.z);
     return size.divideScalar(longest / 12);
   }
 
-  private sourceBox(): [Vector3, Vector3] {
-    const box = this.surfaces.source.object.geometry;
-    if (!box.boundingBox) box.computeBoundingBox();
-    return [box.boundingBox!.max, box.boundingBox!.min];
-  }
-
   // ---- words ----
-
-  private nameMeshes(): void {
-    for (const side of ["source", "target"] as const) {
-      const { name, vertexCount, triangleCount } = this.scene[side];
-      const title = document.createElement("b");
-      title.textContent = name;
-      const size = document.createElement("span");
-      size.className = "size";
-      size.textContent = ` · ${vertexCount.toLocaleString("en")} vertices, ${triangleCount.toLocaleString("en")} triangles`;
-      const role = name === side ? "" : ` · ${side}`;
-      element(`${side}-name`).replaceChildren(title, role, size);
-    }
-    const title = `${this.scene.source.name} → ${this.scene.target.name}`;
-    element("title").textContent = title;
-    document.title = `${title} · counterpart`;
-  }
 
   private updateText(): void {
     const selection = this.hovered ?? this.pinned;
@@ -329,7 +310,7 @@ export class App {
     const legend = element("legend");
     if (this.mode === "error") legend.replaceChildren(...errorLegend(top));
     else if (this.mode === "values")
-      legend.replaceChildren(...valueLegend(this.scene.values[this.valuesIndex].name, ...this.valueRange()));
+      legend.replaceChildren(...valueLegend(this.scene.values[this.valuesIndex].name, ...rangeOf(this.scene.values[this.valuesIndex].values)));
     else if (this.mode === "frontiers") legend.replaceChildren(...levelLegend(this.base, top, bandWidth));
     else legend.replaceChildren(...colorLegend());
     const complete =
@@ -342,10 +323,7 @@ export class App {
   private resize(): void {
     if (!this.stage.resize()) return;
     this.overlay.resize();
-    for (const side of ["source", "target"] as const) {
-      const { left, top } = this.stage.rectangle(side);
-      Object.assign(element(`${side}-name`).style, { left: `${left + 10}px`, top: `${top + 8}px` });
-    }
+    this.names.place(this.stage);
     // The canvas is empty now: draw before it is shown, and only once if something else changed too.
     cancelAnimationFrame(this.frame);
     this.frame = 0;
@@ -361,7 +339,7 @@ export class App {
       if (this.pointer) {
         const { x, y } = this.pointer;
         this.pointer = null;
-        this.highlight(this.stage.pick(x, y));
+        this.highlight(this.pick(x, y));
       }
       if (this.meshesChanged) this.draw();
       else this.drawOverlay();
@@ -376,17 +354,20 @@ export class App {
   }
 
   private drawOverlay(): void {
-    const { source, target } = this.highlighted();
     const markers: Marker[] = [];
+    const mark = (pane: number, vertex: number, color: string, shape: Marker["shape"]) =>
+      markers.push({ at: this.stage.project(pane, vertex), color, shape });
+    const { source, target } = this.highlighted();
     const shown = source.slice(0, maxMarkers);
     const truth = shown.length > 0 ? (this.scene.truth?.[shown[0]] ?? -1) : -1;
-    if (truth >= 0) markers.push({ at: this.stage.project("target", truth), color: truthColor, shape: "ring" });
-    for (const v of shown) markers.push({ at: this.stage.project("source", v), color: sourceColor, shape: "disc" });
-    for (const v of target) markers.push({ at: this.stage.project("target", v), color: targetColor, shape: "disc" });
-    for (const [from, to] of this.landmarks) {
-      markers.push({ at: this.stage.project("source", from), color: truthColor, shape: "ring" });
-      markers.push({ at: this.stage.project("target", to), color: truthColor, shape: "ring" });
+    for (const v of shown) mark(0, v, sourceColor, "disc");
+    for (const map of this.shownMaps()) {
+      const pane = this.paneOf(map);
+      if (truth >= 0) mark(pane, truth, truthColor, "ring");
+      for (const v of this.highlighted(map).target) mark(pane, v, targetColor, "disc");
+      for (const [, to] of this.landmarks.pairs) mark(pane, to, truthColor, "ring");
     }
+    for (const [from] of this.landmarks.pairs) mark(0, from, truthColor, "ring");
     let link: Line | null = null;
     if (shown.length > 0 && target.length > 0)
       link = this.line(shown[0], target[0], getComputedStyle(document.body).color);
@@ -394,12 +375,12 @@ export class App {
   }
 
   private line(from: number, to: number, color: string): Line {
-    return { from: this.stage.project("source", from), to: this.stage.project("target", to), color };
+    return { from: this.stage.project(0, from), to: this.stage.project(this.paneOf(this.mapIndex), to), color };
   }
 
   private sampleLines(): Line[] {
     const { map } = this.current;
-    const [high, low] = this.sourceBox();
+    const [high, low] = this.source.box();
     const lines: Line[] = [];
     for (const v of this.samples.slice(0, this.lineCount)) {
       if (map.image[v] < 0) continue;

@@ -79,3 +79,9 @@ export function scalarField(values: ArrayLike<number>, known: (vertex: number) =
     if (known(v)) field.set([Math.min(values[v], 1e6), 0, 0, 1], 4 * v);
   return field;
 }
+
+/** The least and the largest of the finite values. */
+export function rangeOf(values: Float32Array): [number, number] {
+  const known = values.filter(Number.isFinite);
+  return [known.reduce((a, b) => Math.min(a, b), Infinity), known.reduce((a, b) => Math.max(a, b), -Infinity)];
+}

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-import type { Side } from "./modes";
 import { homeView, type Stage, type View } from "./stage";
 
 export interface InteractionEvents {
@@ -17,7 +16,7 @@ const dragThreshold = 5; // pixels of movement that still count as a click
 export class Interaction {
   linked = true;
   private readonly pointers = new Map<number, { x: number; y: number }>();
-  private side: Side = "source";
+  private pane = 0;
   private traveled = 0;
 
   constructor(
@@ -44,7 +43,7 @@ export class Interaction {
 
   private change(apply: (view: View) => void): void {
     if (this.linked) for (const view of Object.values(this.stage.views)) apply(view);
-    else apply(this.stage.views[this.side]);
+    else apply(this.stage.viewOf(this.pane));
     this.events.viewChanged();
   }
 
@@ -56,7 +55,7 @@ export class Interaction {
   }
 
   private shift(dx: number, dy: number): void {
-    const units = this.stage.unitsPerPixel(this.side);
+    const units = this.stage.unitsPerPixel(this.pane);
     this.change((view) => {
       view.x = Math.min(Math.max(view.x - dx * units, -1.5), 1.5);
       view.y = Math.min(Math.max(view.y + dy * units, -1.5), 1.5);
@@ -72,7 +71,7 @@ export class Interaction {
   private down(event: PointerEvent): void {
     const point = local(event);
     if (this.pointers.size === 0) {
-      this.side = this.stage.sideAt(point.x, point.y);
+      this.pane = this.stage.paneAt(point.x, point.y);
       this.traveled = 0;
     }
     this.pointers.set(event.pointerId, point);
@@ -112,7 +111,7 @@ export class Interaction {
   private wheel(event: WheelEvent): void {
     event.preventDefault();
     const { x, y } = local(event);
-    this.side = this.stage.sideAt(x, y);
+    this.pane = this.stage.paneAt(x, y);
     const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 20 : 1;
     this.zoom(Math.exp(-0.0015 * lines * event.deltaY));
   }

@@ -26,4 +26,6 @@ export type Side = "source" | "target";
 export interface Selection {
   side: Side;
   vertex: number;
+  /** The map that a vertex of the target is seen through; absent: the current one. */
+  map?: number;
 }

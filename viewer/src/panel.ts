@@ -17,6 +17,8 @@ export interface PanelEvents {
   picking(picking: boolean): void;
   saveLandmarks(): void;
   clearLandmarks(): void;
+  /** All maps at once, or only the current one. */
+  comparing(comparing: boolean): void;
 }
 
 export function element<T extends HTMLElement>(id: string): T {
@@ -87,7 +89,9 @@ export class Panel {
     const select = element<HTMLSelectElement>("map");
     scene.maps.forEach((map, index) => select.add(new Option(map.name, String(index))));
     select.addEventListener("change", () => events.map(Number(select.value)));
-    element("map-field").hidden = scene.maps.length < 2;
+    const comparing = element<HTMLInputElement>("comparing");
+    comparing.addEventListener("change", () => events.comparing(comparing.checked));
+    for (const id of ["map-field", "comparing-field"]) element(id).hidden = scene.maps.length < 2;
   }
 
   private addValues(scene: SceneData, events: PanelEvents): void {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 import { PerspectiveCamera, Quaternion, Vector3, Vector4, WebGLRenderer, WebGLRenderTarget } from "three";
-import type { Selection, Side } from "./modes";
+import type { Side } from "./modes";
 import type { Surface } from "./surface";
 
 /** The view of a mesh: rotation about the vertical and the horizontal axis, shift, and zoom. */
@@ -20,6 +20,11 @@ export interface Rectangle {
   width: number;
   height: number;
 }
+/** One mesh on the stage. */
+export interface Pane {
+  side: Side;
+  surface: Surface;
+}
 export interface ScreenPoint {
   x: number;
   y: number;
@@ -31,7 +36,7 @@ const fieldOfView = 28;
 const xAxis = new Vector3(1, 0, 0);
 const yAxis = new Vector3(0, 1, 0);
 
-/** Two meshes on one canvas: side by side, or stacked if the canvas is taller than wide. */
+/** Meshes on one canvas: side by side, or stacked if the canvas is taller than wide. */
 export class Stage {
   readonly views: Record<Side, View> = { source: homeView(), target: homeView() };
   private readonly renderer: WebGLRenderer;
@@ -42,7 +47,7 @@ export class Stage {
 
   constructor(
     readonly canvas: HTMLCanvasElement,
-    readonly surfaces: Record<Side, Surface>,
+    public panes: Pane[],
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setScissorTest(true);
@@ -59,37 +64,43 @@ export class Stage {
     return true;
   }
 
-  rectangle(side: Side): Rectangle {
-    const second = side === "target" ? 1 : 0;
+  rectangle(pane: number): Rectangle {
+    const count = this.panes.length;
+    const [width, height] = [this.width / count, this.height / count];
     return this.width >= this.height
-      ? { left: (second * this.width) / 2, top: 0, width: this.width / 2, height: this.height }
-      : { left: 0, top: (second * this.height) / 2, width: this.width, height: this.height / 2 };
+      ? { left: pane * width, top: 0, width, height: this.height }
+      : { left: 0, top: pane * height, width: this.width, height };
   }
 
-  sideAt(x: number, y: number): Side {
-    return (this.width >= this.height ? x >= this.width / 2 : y >= this.height / 2) ? "target" : "source";
+  paneAt(x: number, y: number): number {
+    const share = this.width >= this.height ? x / this.width : y / this.height;
+    return Math.min(Math.max(Math.floor(share * this.panes.length), 0), this.panes.length - 1);
+  }
+
+  viewOf(pane: number): View {
+    return this.views[this.panes[pane].side];
   }
 
   /** Length of a pixel in the plane through the middle of the mesh, in the mesh's normalized units. */
-  unitsPerPixel(side: Side): number {
-    return (2 * this.halfHeight(side)) / this.rectangle(side).height;
+  unitsPerPixel(pane: number): number {
+    return (2 * this.halfHeight(pane)) / this.rectangle(pane).height;
   }
 
   draw(): void {
-    for (const side of ["source", "target"] as const) {
-      const { left, top, width, height } = this.rectangle(side);
+    for (const [pane, { surface }] of this.panes.entries()) {
+      const { left, top, width, height } = this.rectangle(pane);
       const bottom = this.height - top - height;
-      this.aim(side);
+      this.aim(pane);
       this.renderer.setViewport(left, bottom, width, height);
       this.renderer.setScissor(left, bottom, width, height);
-      this.renderer.render(this.surfaces[side].scene, this.camera);
+      this.renderer.render(surface.scene, this.camera);
     }
   }
 
-  project(side: Side, vertex: number): ScreenPoint {
-    this.aim(side);
-    const surface = this.surfaces[side];
-    const { left, top, width, height } = this.rectangle(side);
+  project(pane: number, vertex: number): ScreenPoint {
+    this.aim(pane);
+    const { surface } = this.panes[pane];
+    const { left, top, width, height } = this.rectangle(pane);
     const point = surface.position(vertex, new Vector3()).applyMatrix4(surface.object.matrixWorld);
     const toCamera = this.camera.position.clone().sub(point);
     const normal = new Vector3().fromArray(surface.normals, 3 * vertex).applyQuaternion(surface.object.quaternion);
@@ -102,14 +113,14 @@ export class Stage {
   }
 
   /** The vertex nearest to a point of the canvas, among the corners of the triangle visible there. */
-  pick(x: number, y: number): Selection | null {
-    const side = this.sideAt(x, y);
-    const corner = this.cornerAt(side, x, y);
+  pick(x: number, y: number): { pane: number; vertex: number } | null {
+    const pane = this.paneAt(x, y);
+    const corner = this.cornerAt(pane, x, y);
     if (corner === null) return null;
-    const { topology, data } = this.surfaces[side];
+    const { topology, data } = this.panes[pane].surface;
     const screen = new Map<number, ScreenPoint>();
     const at = (vertex: number): ScreenPoint => {
-      const known = screen.get(vertex) ?? this.project(side, vertex);
+      const known = screen.get(vertex) ?? this.project(pane, vertex);
       screen.set(vertex, known);
       return known;
     };
@@ -126,15 +137,15 @@ export class Stage {
         if (distance < bestDistance) [best, bestDistance] = [vertex, distance];
       }
     }
-    return { side, vertex: best };
+    return { pane, vertex: best };
   }
 
   /** Draws one pixel of vertex indices and reads it: visibility is decided by the depth buffer. */
-  private cornerAt(side: Side, x: number, y: number): number | null {
-    const { left, top, width, height } = this.rectangle(side);
-    this.aim(side);
+  private cornerAt(pane: number, x: number, y: number): number | null {
+    const { left, top, width, height } = this.rectangle(pane);
+    this.aim(pane);
     this.camera.setViewOffset(width, height, x - left - 0.5, y - top - 0.5, 1, 1);
-    const surface = this.surfaces[side];
+    const { surface } = this.panes[pane];
     const scissor = this.renderer.getScissor(new Vector4());
     this.renderer.setRenderTarget(this.pixel);
     this.renderer.clear();
@@ -148,22 +159,22 @@ export class Stage {
     return id === 0 ? null : id - 1;
   }
 
-  private halfHeight(side: Side): number {
-    const { width, height } = this.rectangle(side);
-    return (1.04 * Math.max(1, height / width)) / this.views[side].zoom;
+  private halfHeight(pane: number): number {
+    const { width, height } = this.rectangle(pane);
+    return (1.04 * Math.max(1, height / width)) / this.viewOf(pane).zoom;
   }
 
-  private aim(side: Side): void {
-    const view = this.views[side];
-    const { width, height } = this.rectangle(side);
+  private aim(pane: number): void {
+    const view = this.viewOf(pane);
+    const { width, height } = this.rectangle(pane);
     const distance = 1 / Math.sin((fieldOfView * Math.PI) / 360) + 0.5;
     // Zoom narrows the field of view, so that the camera never enters the mesh.
-    this.camera.fov = (360 / Math.PI) * Math.atan(this.halfHeight(side) / distance);
+    this.camera.fov = (360 / Math.PI) * Math.atan(this.halfHeight(pane) / distance);
     this.camera.aspect = width / height;
     this.camera.position.set(view.x, view.y, distance);
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    const surface = this.surfaces[side];
+    const { surface } = this.panes[pane];
     surface.object.quaternion
       .setFromAxisAngle(xAxis, view.pitch)
       .multiply(new Quaternion().setFromAxisAngle(yAxis, view.yaw))

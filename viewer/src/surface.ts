@@ -23,9 +23,11 @@ export class Surface {
     readonly data: MeshData,
     /** Rotates the mesh upright, before any rotation by hand. */
     readonly upright: Quaternion,
+    /** Another surface of the same mesh, whose topology this one shares. */
+    same?: Surface,
   ) {
-    this.topology = new Topology(data);
-    this.normals = this.topology.normals();
+    this.topology = same?.topology ?? new Topology(data);
+    this.normals = same?.normals ?? this.topology.normals();
     this.geometry.setAttribute("position", new BufferAttribute(data.positions, 3));
     this.geometry.setAttribute("normal", new BufferAttribute(this.normals, 3));
     this.geometry.setIndex(new BufferAttribute(data.triangles, 1));
@@ -53,6 +55,12 @@ export class Surface {
     this.object = new Mesh(this.geometry, this.shading);
     this.object.frustumCulled = false;
     this.scene.add(this.object);
+  }
+
+  /** The highest and the lowest corner of the mesh's box. */
+  box(): [Vector3, Vector3] {
+    if (!this.geometry.boundingBox) this.geometry.computeBoundingBox();
+    return [this.geometry.boundingBox!.max, this.geometry.boundingBox!.min];
   }
 
   /** Colors the mesh. `cells`: number of checker cells along each axis. */

@@ -124,6 +124,28 @@ test("several maps: the list switches, and errors and unmatched vertices are tol
   await context.close();
 });
 
+test("maps side by side: one pane each, which are picked and marked on their own", async () => {
+  const { page, context, complaints } = await open(browser, file);
+  const alone = await stagePicture(page, "one_map");
+  await page.locator("#comparing").check();
+  assert.deepEqual(await page.locator("#map-names div").allInnerTexts(), ["truth", "worse"]);
+  assert.notDeepEqual(await stagePicture(page, "side_by_side"), alone);
+  const vertex = pair.worse.findIndex((image, v) => image >= 0 && image !== pair.truth[v]);
+  await page.fill("#vertex", String(vertex));
+  const under = (map) => page.evaluate((map) => window.counterpart.highlighted(map).target, map);
+  assert.deepEqual([await under(0), await under(1)], [[pair.truth[vertex]], [pair.worse[vertex]]]);
+  const width = (await page.locator("#meshes").boundingBox()).width / 3;
+  const at = (map) => page.evaluate(([v, map]) => window.counterpart.screenPosition("target", v, map), [9, map]);
+  const [first, second] = [await at(0), await at(1)];
+  assert.ok(Math.abs(second.x - first.x - width) < 1 && Math.abs(second.y - first.y) < 1, "the same view, a pane apart");
+  assert.ok((await overlayPixel(page, await page.evaluate(
+    ([v, map]) => window.counterpart.screenPosition("target", v, map), [pair.worse[vertex], 1])))[3] > 0);
+  await page.locator("#comparing").uncheck();
+  assert.deepEqual(await page.locator("#map-names div").allInnerTexts(), []);
+  assert.deepEqual(await stagePicture(page, "one_map_again").then(() => complaints), []);
+  await context.close();
+});
+
 test("lines and the morph change the picture; the source's vertices move to their counterparts", async () => {
   const { page, context } = await open(browser, file);
   const plain = await stagePicture(page, "without_lines");
