@@ -16,7 +16,8 @@ import json
 
 import numpy as np
 
-PARTS = ["relief", "residual", "wring"]
+PARTS = ["relief", "residual", "wring", "drift"]
+PRESENT = np.array([1, 6, 2, 0.06, 30])  # CueTuning
 
 
 def selection_score(f):
@@ -25,7 +26,7 @@ def selection_score(f):
 
 
 def features(f):
-    return np.array([selection_score(f), np.mean(f["relief"]), -f["residual"], -f["wring"]])
+    return np.array([selection_score(f), np.mean(f["relief"]), -f["residual"], -f["wring"], -f["drift"]])
 
 
 def load(files):
@@ -43,7 +44,7 @@ def differences(pair):
     best = pair["errors"].min()
     right = pair["errors"] < 1.5 * best + 1
     wrong = pair["errors"] > 2 * best + 4
-    return (pair["features"][right][:, None] - pair["features"][wrong][None]).reshape(-1, 4)
+    return (pair["features"][right][:, None] - pair["features"][wrong][None]).reshape(-1, 1 + len(PARTS))
 
 
 def fit_weights(pairs, ridge=0.01, n_steps=20000):
@@ -52,7 +53,7 @@ def fit_weights(pairs, ridge=0.01, n_steps=20000):
     spread = np.sqrt(np.mean([np.mean(d**2, axis=0) for d in groups], axis=0))
     x = np.concatenate(groups) / spread
     share = np.concatenate([np.full(len(d), 1 / len(d) / len(groups)) for d in groups])
-    w = np.ones(4)
+    w = np.ones(1 + len(PARTS))
     for _ in range(n_steps):
         pull = share / (1 + np.exp(np.clip(x @ w, -30, 30)))
         w = np.maximum(w - 0.3 * (2 * ridge * w - pull @ x), 0)
@@ -127,12 +128,12 @@ def main():
     is_left_out = [any(w in (p["source"] + p["target"]).lower() for w in words) for p in pairs]
     dev = [p for p, out in zip(pairs, is_left_out) if not out]
     test = [p for p, out in zip(pairs, is_left_out) if out]
-    for name, w in [("selection alone", np.array([1.0, 0, 0, 0])), ("6, 2, 0.06", np.array([1, 6, 2, 0.06])),
+    for name, w in [("selection alone", np.eye(1 + len(PARTS))[0]), ("as it is", PRESENT),
                     ("fitted", fit_weights(dev)), ("fitted to all", fit_weights(pairs))]:
         print(name, dict(zip(["score"] + PARTS, np.round(w, 3))))
         report("  dev", dev, w)
         report("  left out", test, w)
-    w = np.array([1, 6, 2, 0.06])
+    w = PRESENT
     for name, constants in [("as it is", (0.6, 0.07, 0.02, 0.1)), ("fitted", fit_confidence(dev or pairs, w))]:
         print("confidence", name, tuple(round(float(c), 3) for c in constants))
         report_confidence("  dev", dev, w, constants)

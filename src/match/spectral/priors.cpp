@@ -86,7 +86,8 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
     for (const PriorPair& pair : priors.landmarks)
         result += tuning.weight * std::max(0.0, image_distance(a, b, pair, maps) - tuning.slack);
     for (const PriorPair& pair : priors.excluded)
-        result += tuning.weight * std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps));
+        result +=
+            tuning.excluded_weight * std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps));
     if (priors.directions.cols() > 0)
         result -= tuning.direction_weight * agreement_of_directions(a, b, priors.directions, maps.b_from_a);
     return result;

@@ -12,11 +12,11 @@ namespace counterpart::spectral_match {
 namespace {
 
 // Near 1 for the same shape in the same pose.
-double total_score(double selection_score, const Cues& cues, const CueTuning& tuning) {
+double total_score(const Scores& selection, const Cues& cues, const CueTuning& tuning) {
     const double relief = std::accumulate(cues.relief.begin(), cues.relief.end(), 0.0) /
                           static_cast<double>(cues.relief.size());
-    return (selection_score + tuning.relief_weight * relief - tuning.residual_weight * cues.residual -
-            tuning.wring_weight * cues.wring) /
+    return (selection.total + tuning.relief_weight * relief - tuning.residual_weight * cues.residual -
+            tuning.wring_weight * cues.wring - tuning.drift_weight * selection.drift) /
            (1 + tuning.relief_weight);
 }
 
@@ -35,7 +35,7 @@ void run_trials(std::vector<Candidate>& finalists, const SampledPair& all, const
         finalist.on_vertices =
             refine(all.a, all.b, finalist, pins, is_close ? tuning.refinement : none, progress);
         finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
-        finalist.scores.total = total_score(finalist.scores.total, finalist.cues, tuning.cues);
+        finalist.scores.total = total_score(finalist.scores, finalist.cues, tuning.cues);
     });
     sort_by_score(finalists);
 }
