@@ -28,10 +28,16 @@ ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions&
     }
     exact::Isomorphism found = exact::match_triangles(source, target, triangles);
     ExactResult& result = found.result;
-    if (result.identical)
+    if (result.identical) {
         exact::describe(found.source, result);
-    else if (!difference.empty())
-        result.difference = std::move(difference);
+        return std::move(result);
+    }
+    if (difference.empty()) difference = std::move(result.difference);
+    if (result.path == ExactPath::surface && !result.mirrored) {
+        triangles.progress = part_of(triangles.progress, 0.6, 1);  // a match that fails has not reported more
+        if (auto recut = exact::match_recut(source, target, triangles)) return std::move(*recut);
+    }
+    result.difference = std::move(difference);
     return std::move(result);
 }
 

@@ -35,6 +35,19 @@ PolygonList polygons_of(MeshView mesh) {
     return list;
 }
 
+TriangleMesh cut_at_random(const TriangleMesh& quads, std::uint64_t seed) {
+    Random random(seed);
+    const PolygonList list = polygons_of(quads);
+    TriangleMesh mesh{quads.vertices, Triangles(2 * std::ssize(list.sizes), 3)};
+    for (Eigen::Index p = 0; p < std::ssize(list.sizes); ++p) {
+        const Index* const v = list.corners.data() + 4 * p;
+        const auto k = static_cast<std::size_t>(random.below(2));
+        mesh.triangles.row(2 * p) << v[k], v[k + 1], v[k + 2];
+        mesh.triangles.row(2 * p + 1) << v[k], v[k + 2], v[(k + 3) % 4];
+    }
+    return mesh;
+}
+
 TriangleMesh make_quads(MeshView mesh) {
     PolygonList list;
     for (Index v = 0; v < mesh.n_vertices(); ++v) list.vertices.emplace_back(mesh.vertices.row(v));

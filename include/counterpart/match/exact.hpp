@@ -65,7 +65,7 @@ struct ExactResult {
     Count automorphisms;                  ///< of the source, orientation-preserving, with the identity
     Count mirror_automorphisms;           ///< of the source, orientation-reversing
     Index reversed_triangles = 0;         ///< in opposite winding in the target
-    Index recut_polygons = 0;             ///< cut into other triangles in the target
+    Index recut_polygons = 0;             ///< or quads found, cut into other triangles in the target
     bool winding_reversed = false;        ///< all of them: the target's winding is reversed as a whole
     bool mirrored = false;                ///< a mirror match was chosen, which only allow_mirror permits
     std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
@@ -81,10 +81,14 @@ struct ExactResult {
 /// invalid meshes or options, Canceled, and NumericalError where patches of a non-manifold mesh fit in more
 /// ways than can be searched.
 ///
-/// Meshes in planes of constant z are drawings: mirror images are told apart, whatever their winding.
+/// Meshes of constant z, one at z = 0, are drawings: mirror images are told apart, whatever their winding.
 ///
 /// Where both meshes have polygons these are compared: at which corner a polygon begins and how it was cut
-/// into triangles does not matter. Where polygons differ, triangles are compared as if there were none.
+/// into triangles does not matter. Where polygons differ, or only one mesh has some, triangles are compared;
+/// and where these differ, those edges may be diagonals of quads that the two meshes cut differently which
+/// lie inside polygons, or, where no mesh has any, inside convex quads bent by less than 60 degrees. Meshes
+/// without polygons that differ in less than most of their neighborhoods count as edited, not as cut
+/// differently. `recut_polygons` says how many quads differ.
 ExactResult match_exact(MeshView source, MeshView target, const ExactOptions& options = {});
 
 }  // namespace counterpart

@@ -41,16 +41,16 @@ struct VolumeResult {
 
 /// Which target vertex is each source vertex, of two solids of tetrahedra?
 ///
-///   * exact: the isomorphism, as match_exact finds it for surfaces. On a component, what is connected
-///   through
-///     faces, it is fixed by the image of one tetrahedron, of the rarest color, and checked by walking from
-///     face to face in both. Symmetry is left to geometry: edge lengths, then the distance after the best
-///     similarity, then as the solids lie. About O(T).
-///   * frontiers: match_frontiers with all faces of the tetrahedra (all_faces), the edges as neighbors.
-///   * spectral: other tetrahedralizations of alike solids. match_spectral maps the surfaces; inside,
-///   positions
-///     are harmonic (linear elements, cotangent weights), so the mean value of those around, and the closest
-///     vertex is taken. O(V^1.5).
+/// Exact: the isomorphism, as match_exact finds it for surfaces. On a component, what is connected through
+/// faces, it is fixed by the image of one tetrahedron, of the rarest color, and checked by walking from face
+/// to face in both. Symmetry is left to geometry: edge lengths, then the distance after the best similarity,
+/// then as the solids lie. About O(T).
+///
+/// Frontiers: match_frontiers with all faces of the tetrahedra (all_faces), the edges as neighbors.
+///
+/// Spectral, for other tetrahedralizations of alike solids: match_spectral maps the surfaces. Inside,
+/// positions are harmonic (linear elements, cotangent weights), so the mean of those around, and the closest
+/// vertex is taken. O(V^1.5).
 ///
 /// Throws InvalidInput for invalid meshes or options, frontiers also where the connectivity differs;
 /// Canceled. For exact different connectivity is a result: see `identical`.

@@ -93,26 +93,32 @@ std::optional<double> area_from_above(const DartMap& map, MeshView mesh) {
     return area;
 }
 
-// Two meshes in the plane have no other side: whether the target must be wound the other way not to be a
-// mirror image. Nothing where the winding does not tell.
+// Drawings have no other side: whether the target must be wound the other way not to be a mirror image.
+// Nothing where the winding does not tell, and for flat sheets in space, which may be turned over: of
+// drawings one at least has z = 0.
 std::optional<bool> is_turned_over_in_plane(const MatchedMaps& maps) {
+    if (maps.source_mesh.vertices(0, 2) != 0 && maps.target_mesh.vertices(0, 2) != 0) return std::nullopt;
     const auto ours = area_from_above(maps.source, maps.source_mesh),
                theirs = area_from_above(maps.target, maps.target_mesh);
     if (!ours || !theirs || *ours * *theirs == 0) return std::nullopt;
     return *ours * *theirs < 0;
 }
 
+// Of coned meshes only the corners 0, which are those of polygons: nothing else is asked of them.
 void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, ExactResult& result) {
     std::vector<Index> image(to_size(maps.source.n_vertices()), -1);
     result.target_corner_from_source.setConstant(maps.source.n_triangles(), 3, -1);
     Index* const corners = result.target_corner_from_source.data();
     Index reversed_triangles = 0;
+    const bool is_coned = maps.source.first_center != no_center;
     for (const ComponentPair& pair : pairs) {
         for (std::size_t k = 0; k < pair.size(); ++k) {
             Dart d = pair.on_source(k), e = pair.on_target(k);
             reversed_triangles += static_cast<Index>(direction_of(d ^ e));
             for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) {
-                corners[maps.source.input_corner(d)] = maps.target.input_corner(e);
+                const Index corner = maps.source.input_corner(d);
+                if (is_coned && corner % 3 != 0) continue;
+                corners[corner] = maps.target.input_corner(e);
                 image[to_size(maps.source.origin(d))] = maps.target.origin(e);
             }
         }
@@ -121,7 +127,8 @@ void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs,
     result.winding_reversed = reversed_triangles == maps.source.n_triangles();
     std::vector<Index> input_image(to_size(maps.source_mesh.n_vertices()), VertexMap::unmatched);
     for (std::size_t v = 0; v < image.size(); ++v)
-        input_image[to_size(maps.source.input_vertex[v])] = maps.target.input_vertex[to_size(image[v])];
+        if (image[v] >= 0)
+            input_image[to_size(maps.source.input_vertex[v])] = maps.target.input_vertex[to_size(image[v])];
     result.target_from_source = VertexMap(std::move(input_image), maps.target_mesh.n_vertices());
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/exact/polygons.hpp"
 
+#include "base/parallel.hpp"
+#include "match/diagonals/diagonals.hpp"
 #include "match/exact/isomorphism.hpp"
 #include "mesh/polygons.hpp"
 
@@ -31,28 +33,30 @@ Triangles uncut_corners(const Polygons& source, const Polygons& target, Triangle
 
 // How many of the source's polygons are cut into other triangles in the target.
 Index count_cut_differently(const Polygons& source, const Triangles& target_corners, const Polygons& target) {
-    const auto cut_of = [](const Triangles& triangles, Index begin, Index end, const auto& corner) {
-        std::vector<std::array<Index, 3>> cut;
+    using Cut = std::vector<std::array<Index, 3>>;
+    const auto fill = [](Cut& cut, const Triangles& triangles, Index begin, Index end, const auto& corner) {
+        cut.clear();
         for (Index t = begin; t < end; ++t) {
             cut.push_back({corner(triangles(t, 0)), corner(triangles(t, 1)), corner(triangles(t, 2))});
             std::sort(cut.back().begin(), cut.back().end());
         }
         std::sort(cut.begin(), cut.end());
-        return cut;
     };
+    std::vector<Index> polygon_of(to_size(target.n_corners()));  // of the target's corners
+    for (Index q = 0; q < target.count(); ++q)
+        std::fill_n(polygon_of.begin() + target.first[to_size(q)], target.size(q), q);
+    Cut ours, theirs;
     Index count = 0;
     for (Index p = 0; p < source.count(); ++p) {
         const Index n = source.size(p), begin = source.first_triangle(p);
         if (n == 3) continue;
         const auto of_target = [&](Index corner) { return target.corners.data()[corner]; };
         const Index image = of_target(target_corners(begin, 0));
-        const auto q = static_cast<Index>(std::upper_bound(target.first.begin(), target.first.end(), image) -
-                                          target.first.begin() - 1);
-        const Index there = target.first_triangle(q);
+        const Index there = target.first_triangle(polygon_of[to_size(image)]);
         const auto itself = [](Index corner) { return corner; };
-        if (cut_of(target_corners, begin, begin + n - 2, of_target) !=
-            cut_of(target.corners, there, there + n - 2, itself))
-            ++count;
+        fill(ours, target_corners, begin, begin + n - 2, of_target);
+        fill(theirs, target.corners, there, there + n - 2, itself);
+        if (ours != theirs) ++count;
     }
     return count;
 }
@@ -61,37 +65,73 @@ VertexMap without_centers(const VertexMap& map, Index n_source, Index n_target) 
     return {{map.image().begin(), map.image().begin() + n_source}, n_target};
 }
 
-}  // namespace
-
-ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions& options) {
+// Without notices.
+Isomorphism match_coned(MeshView source, MeshView target, const ExactOptions& options) {
     const Polygons &from = *source.polygons, &to = *target.polygons;
-    ExactResult differing;
-    differing.difference = mesh::first_difference(from, to);
-    if (!differing.difference.empty()) return differing;
-    const TriangleMesh a = mesh::coned(source), b = mesh::coned(target);
+    TriangleMesh a, b;
+    parallel_invoke([&] { a = mesh::coned(source); }, [&] { b = mesh::coned(target); });
     Isomorphism found = match_triangles(a, b, options, source.n_vertices(), target.n_vertices());
     ExactResult& result = found.result;
-    Described& described = found.source;
-    if (!result.identical) return std::move(result);
+    if (!result.identical) return found;
     result.target_from_source =
         without_centers(result.target_from_source, source.n_vertices(), target.n_vertices());
     for (VertexMap& other : result.alternatives)
         other = without_centers(other, source.n_vertices(), target.n_vertices());
-    described.faces = "polygons";
-    described.n_faces = from.count();
-    described.n_reversed = result.reversed_triangles = 0;
+    found.source.faces = "polygons";
+    found.source.n_faces = from.count();
+    found.source.n_reversed = result.reversed_triangles = 0;
     for (Index p = 0; p < from.count(); ++p) {
         const Index j = from.first[to_size(p)];
         if (result.target_corner_from_source(j, 0) % 3 == 0) continue;
-        ++described.n_reversed;
+        ++found.source.n_reversed;
         result.reversed_triangles += from.size(p) - 2;
     }
     result.target_corner_from_source = uncut_corners(from, to, result.target_corner_from_source);
     result.recut_polygons = count_cut_differently(from, result.target_corner_from_source, to);
-    describe(described, result);
+    return found;
+}
+
+// From the triangles of meshes with quads to those that they were made of.
+Triangles in_input_order(TrianglesView corners, const diagonals::Recut& recut) {
+    Triangles result(corners.rows(), 3);
+    for (Eigen::Index t = 0; t < corners.rows(); ++t)
+        for (int c = 0; c < 3; ++c)
+            result(recut.source.triangle[to_size(t)], c) =
+                3 * recut.target.triangle[to_size(corners(t, c) / 3)] + corners(t, c) % 3;
+    return result;
+}
+
+}  // namespace
+
+ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions& options) {
+    ExactResult differing;
+    differing.difference = mesh::first_difference(*source.polygons, *target.polygons);
+    if (!differing.difference.empty()) return differing;
+    Isomorphism found = match_coned(source, target, options);
+    ExactResult& result = found.result;
+    if (!result.identical) return std::move(result);
+    describe(found.source, result);
     if (result.recut_polygons > 0)
         result.notices.push_back(fmt::format("{} of {} polygons are cut into other triangles in the target",
-                                             result.recut_polygons, from.count()));
+                                             result.recut_polygons, source.polygons->count()));
+    return std::move(result);
+}
+
+std::optional<ExactResult> match_recut(MeshView source, MeshView target, const ExactOptions& options) {
+    const auto recut = diagonals::find_recut_quads(source, target, part_of(options.progress, 0, 0.5));
+    if (!recut) return std::nullopt;
+    ExactOptions rest = options;
+    rest.progress = part_of(options.progress, 0.5, 1);
+    Isomorphism found = match_coned(recut->source.mesh, recut->target.mesh, rest);
+    ExactResult& result = found.result;
+    if (!result.identical) return std::nullopt;
+    result.target_corner_from_source = in_input_order(result.target_corner_from_source, *recut);
+    found.source.faces = "triangles";
+    found.source.n_faces = source.n_triangles();
+    found.source.n_reversed = result.reversed_triangles;
+    describe(found.source, result);
+    result.notices.push_back(
+        fmt::format("{} quads are cut along the other diagonal in the target", result.recut_polygons));
     return std::move(result);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/isomorphism/component_classes.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -55,8 +57,8 @@ class Classifier {
           traversals_{SimultaneousTraversal(source, source), SimultaneousTraversal(source, target),
                       SimultaneousTraversal(target, target)},
           budget_(budget) {
-        result_.source_colors = vertex_colors(source, rounds);
-        result_.target_colors = vertex_colors(target, rounds);
+        parallel_invoke([&] { result_.source_colors = vertex_colors(source, rounds); },
+                        [&] { result_.target_colors = vertex_colors(target, rounds); });
     }
 
     // Nothing if too many traversals failed: the colors are too coarse.

@@ -18,7 +18,7 @@ namespace {
 struct Corners {
     const Index* vertex;  // at corner 3 t + c
     std::size_t n_triangles, n_vertices;
-    Index first_center;
+    bool are_coned;  // edges to middles of polygons are joined by join_spokes
     std::array<Index, 4> around(std::size_t t) const {
         const Index* const v = vertex + 3 * t;
         return {v[0], v[1], v[2], v[0]};
@@ -27,8 +27,7 @@ struct Corners {
 
 class TwinFinder {
   public:
-    explicit TwinFinder(const Corners& corners)
-        : twin_(3 * corners.n_triangles, no_dart), first_center_(corners.first_center) {
+    explicit TwinFinder(const Corners& corners) : twin_(3 * corners.n_triangles, no_dart) {
         collect(corners);
         for (std::size_t v = 0; v < corners.n_vertices; ++v) {
             const std::size_t begin = end_[v], size = end_[v + 1] - begin;
@@ -38,7 +37,7 @@ class TwinFinder {
             if (!paired) pair_by_sorting(begin, size);
         }
     }
-    const std::vector<Dart>& twin() const { return twin_; }
+    std::vector<Dart>& twin() { return twin_; }
     // Two buffers of 3 n_triangles that are not needed any more: fresh memory is what large meshes wait for.
     std::vector<Index> take_indices() { return std::move(other_); }
     std::vector<Dart> take_darts() { return std::move(dart_); }
@@ -53,16 +52,19 @@ class TwinFinder {
     // there.
     void collect(const Corners& corners) {
         end_.assign(corners.n_vertices + 2, 0);
+        const std::size_t n_sides = corners.are_coned ? 1 : 3;
         const auto for_each_halfedge = [&](const auto& body) {
             for (std::size_t t = 0; t < corners.n_triangles; ++t) {
                 const std::array<Index, 4> v = corners.around(t);
-                for (std::size_t c = 0; c < 3; ++c)
+                for (std::size_t c = 0; c < n_sides; ++c)
                     if (v[c] != v[c + 1])  // a collapsed edge is a border
                         body(v[c], v[c + 1], make_dart(static_cast<Index>(t), static_cast<int>(c)));
             }
         };
         for_each_halfedge([&](Index a, Index b, Dart) { ++end_[to_size(std::min(a, b)) + 2]; });
         for (std::size_t v = 0; v + 1 < end_.size(); ++v) end_[v + 1] += end_[v];
+        other_.reserve(twin_.size() + max_small);  // what takes them over needs that much
+        dart_.reserve(twin_.size());
         other_.resize(end_.back() + max_small);  // comparisons read whole blocks
         dart_.resize(end_.back());
         for_each_halfedge([&](Index a, Index b, Dart f) {
@@ -115,20 +117,9 @@ class TwinFinder {
         for (std::size_t i = 0, j = 0; i < size; i = j) {
             for (j = i + 1; j < size && bucket[j].first == bucket[i].first;) ++j;
             if (j - i == 1) ++boundary_edges_;
-            const bool is_spoke = bucket[i].first >= first_center_;
-            if (j - i > 2 && !is_spoke) ++non_manifold_edges_;
-            if (j - i == 2 || is_spoke) pair_in_turn(std::span(bucket).subspan(i, j - i));
-        }
-    }
-
-    // Two half-edges, or those that a polygon has between its middle and a vertex that it comes to several
-    // times: the triangles of two corners that follow one another meet there, which are the first and the
-    // last where the polygon begins at the vertex.
-    void pair_in_turn(std::span<const std::pair<Index, Dart>> edges) {
-        const bool begins = edges.size() > 2 && corner_of(edges[0].second) == 2;
-        for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
-            const Dart a = edges[begins && k == 0 ? edges.size() - 1 : k - (begins ? 1 : 0)].second;
-            const Dart b = edges[begins ? k : k + 1].second;
+            if (j - i > 2) ++non_manifold_edges_;
+            if (j - i != 2) continue;
+            const Dart a = bucket[i].second, b = bucket[i + 1].second;
             twin_[halfedge_of(a)] = joined_to(a, b);
             twin_[halfedge_of(b)] = joined_to(b, a);
         }
@@ -139,8 +130,24 @@ class TwinFinder {
     std::vector<Index> other_;
     std::vector<Dart> dart_;
     Index boundary_edges_ = 0, non_manifold_edges_ = 0;
-    Index first_center_;
 };
+
+// The edges between the corners of polygons and their middles: the triangles of two corners that follow one
+// another meet there, however often the polygon comes to one vertex. `place` is where triangles went; empty
+// if they stayed.
+void join_spokes(TrianglesView coned, const std::vector<Index>& place, std::vector<Dart>& twin) {
+    const auto dart_at = [&](Eigen::Index j, int corner) {
+        const auto t = static_cast<Index>(j);
+        return make_dart(place.empty() ? t : place[to_size(t)], corner);
+    };
+    for (Eigen::Index j = 0, first = 0; j < coned.rows(); ++j) {
+        const bool is_last = j + 1 == coned.rows() || coned(j + 1, 2) != coned(j, 2);
+        const Dart here = dart_at(j, 2), there = dart_at(is_last ? first : j + 1, 1);
+        twin[halfedge_of(here)] = there;
+        twin[halfedge_of(there)] = here;
+        if (is_last) first = j + 1;
+    }
+}
 
 // Renumbers along breadth-first traversals. The queue is known some steps ahead, so what a step will touch is
 // fetched early: on a shuffled mesh nearly every access misses the caches. Whether a neighbor is new cannot
@@ -293,10 +300,16 @@ DartMap make_dart_map(MeshView mesh, Index first_center) {
     const bool reorder = mesh.n_triangles() > cached;
     const SpatialOrder order = reorder ? make_spatial_order(mesh) : SpatialOrder{};
     const Corners corners{reorder ? order.corner.data() : mesh.triangles.data(), to_size(mesh.n_triangles()),
-                          to_size(mesh.n_vertices()), reorder ? no_center : first_center};
+                          to_size(mesh.n_vertices()), first_center != no_center};
     DartMap map;
     map.first_center = first_center;
     TwinFinder twins(corners);
+    if (corners.are_coned) {
+        std::vector<Index> place(order.input_triangle.size());
+        for (std::size_t t = 0; t < place.size(); ++t)
+            place[to_size(order.input_triangle[t])] = static_cast<Index>(t);
+        join_spokes(mesh.triangles, place, twins.twin());
+    }
     map.corner = twins.take_indices();
     map.twin = twins.take_darts();
     map.boundary_edges = twins.boundary_edges();

@@ -104,8 +104,8 @@ struct DartMap {
 };
 
 /// O(V + F), sort-free but for the edges at one vertex. At most 2^28 triangles; throws InvalidInput beyond.
-/// `first_center`: of a mesh that mesh::coned made, the number of its first middle; where a polygon comes to
-/// one vertex twice, the edges between the two then are manifold (in meshes of up to 2^20 corners).
+/// `first_center`: of a mesh that mesh::coned made, the number of its first middle. An edge to a middle joins
+/// two triangles, also where the polygon comes to one vertex several times.
 DartMap make_dart_map(MeshView mesh, Index first_center = no_center);
 
 }  // namespace counterpart::isomorphism

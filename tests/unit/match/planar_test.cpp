@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Drawings: meshes of constant z.
+// Drawings: meshes of constant z, one of them at z = 0.
 #include "support/edits.hpp"
 
 #include <counterpart/match/exact.hpp>
@@ -58,6 +58,29 @@ TEST(MatchPlanar, MirrorImagesAreRefusedUnlessAllowed) {
         EXPECT_TRUE(allowed.mirrored);
         EXPECT_EQ(right_share(target, allowed.target_from_source), 1);
     }
+}
+
+// In space a sheet has two sides.
+TEST(MatchPlanar, ASheetAboveThePlaneMayBeTurnedOver) {
+    TriangleMesh source = drawing();
+    source.vertices.col(2).setConstant(1.5);
+    TriangleMesh turned = source;
+    turned.vertices.col(1) *= -1;
+    turned.vertices.col(2) *= -1;
+    const ShuffleResult target = shuffle(turned, 4);
+    const ExactResult result = match_exact(source, target.mesh);
+    ASSERT_TRUE(result.identical) << result.difference;
+    EXPECT_FALSE(result.mirrored);
+    EXPECT_EQ(right_share(target, result.target_from_source), 1);
+}
+
+// 20 000 triangles, and what else makes sense of drawings.
+TEST(MatchPlanar, LargeDrawingsBentInThePlane) {
+    const TriangleMesh source = test::with_flipped_edges(make_grid(125, 80), 900, 3).mesh;
+    ASSERT_EQ(source.n_triangles(), 20'000);
+    const ShuffleResult target = shuffle(bent_in_plane(source), 4);
+    EXPECT_EQ(right_share(target, match_exact(source, target.mesh).target_from_source), 1);
+    EXPECT_EQ(right_share(target, match_frontiers(source, target.mesh).target_from_source), 1);
 }
 
 // Only the winding differs: not a mirror image.

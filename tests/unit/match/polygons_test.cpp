@@ -40,9 +40,6 @@ void expect_corners_follow(const TriangleMesh& source, const TriangleMesh& targe
 TEST(MatchPolygons, QuadsCutAlongOtherDiagonalsAreIdentical) {
     const TriangleMesh quads = test::make_quads(make_body({.subdivisions = 1}));
     const ShuffleResult shuffled = shuffle(move_at_random(quads, 3), 4);
-    EXPECT_FALSE(
-        match_exact({quads.vertices, quads.triangles}, {shuffled.mesh.vertices, shuffled.mesh.triangles})
-            .identical);
     const ExactResult result = match_exact(quads, shuffled.mesh);
     ASSERT_TRUE(result.identical) << result.difference;
     EXPECT_EQ(share_of(shuffled.shuffled_from_original, result.target_from_source), 1);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include <counterpart/align/tps_rpm.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/volume.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -102,6 +103,35 @@ TEST(MatchVolume, FrontiersWithEdgesAsNeighbors) {
     const TetrahedralShuffleResult target = shuffle(bent(source, 0.8), 2);
     const VolumeResult result = match_volume(source, target.mesh, {.method = MatchMethod::frontiers});
     EXPECT_GE(share_right(target.shuffled_from_original, result.target_from_source), 0.995);
+}
+
+// Nodes inside are points like others.
+TEST(MatchVolume, RobustPointMatchingMovesTheInside) {
+    const TetrahedralMesh source = fill_with_tetrahedra(make_icosphere(2), 6), target = bent(source, 0.4);
+    const TetrahedralShuffleResult shuffled = shuffle(target, 2);
+    const TpsRpmResult result = tps_rpm(source.vertices, shuffled.mesh.vertices);
+    const auto distance = [&](const Points& moved) {
+        return (moved - target.vertices).rowwise().norm().mean();
+    };
+    EXPECT_LT(distance(result.transformed), 0.15 * distance(source.vertices));
+}
+
+// Cubes of two sizes: vertices do not correspond, so that what a cube's size leaves open is allowed for.
+TEST(MatchVolume, OtherTetrahedraOfOneBentSolid) {
+    const TriangleMesh surface = make_body({.subdivisions = 1});
+    const TetrahedralMesh source = fill_with_tetrahedra(surface, 26);
+    const TetrahedralMesh target = bent(fill_with_tetrahedra(surface, 30), 0.8);
+    const VolumeResult result = match_volume(source, target, {.method = MatchMethod::spectral});
+    const Points truth = bent(source, 0.8).vertices;
+    const std::vector<Index> on_surface = boundary(source).vertices;
+    const auto error = [&](Index v) {
+        return (target.vertices.row(result.target_from_source[v]) - truth.row(v)).norm();
+    };
+    double all = 0, surface_only = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) all += error(v) / source.n_vertices();
+    for (const Index v : on_surface) surface_only += error(v) / static_cast<double>(on_surface.size());
+    EXPECT_LT(all, 1.5 * surface_only);
+    EXPECT_LT(all, 1.5 / 30);  // cubes of the target
 }
 
 TEST(MatchVolume, SameBytesForAnyNumberOfThreads) {

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/diagonals/diagonals.hpp"
+
+#include "match/diagonals/walk.hpp"
+#include "match/isomorphism/traversal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace counterpart::diagonals {
+
+using namespace isomorphism;
+
+namespace {
+
+// Whether more than half of the vertices have a partner of the same color, valences two edges around.
+bool is_edit(const DartMap& a, const DartMap& b) {
+    std::vector<Color> ours = vertex_colors(a, 2), theirs = vertex_colors(b, 2), common;
+    std::sort(ours.begin(), ours.end());
+    std::sort(theirs.begin(), theirs.end());
+    std::set_intersection(ours.begin(), ours.end(), theirs.begin(), theirs.end(), std::back_inserter(common));
+    return 2 * common.size() > ours.size();
+}
+
+class Search {
+  public:
+    Search(const Side& source, const Side& target, const Progress& progress)
+        : a_(source), b_(target), walk_(source, target), progress_(progress) {
+        // A walk through all of the mesh from a few edges, and some steps from each of the others.
+        max_steps_ = 40 * to_size(source.map.n_triangles()) + 100'000;
+    }
+
+    std::optional<std::vector<CutQuad>> run(unsigned parity) {
+        std::vector<CutQuad> quads;
+        std::vector<char> taken(to_size(b_.map.n_components()), 0);
+        for (Index i = 0; i < a_.map.n_components(); ++i) {
+            if (!match_component(i, parity, taken)) return std::nullopt;
+            const std::vector<CutQuad> found = walk_.take_quads();
+            quads.insert(quads.end(), found.begin(), found.end());
+            report_progress(progress_, static_cast<double>(i + 1) / a_.map.n_components());
+        }
+        return quads;
+    }
+
+  private:
+    struct Start {
+        Dart f, g;
+        Index component;  // of the target
+        double mismatch, offset;
+    };
+
+    bool match_component(Index component, unsigned parity, std::vector<char>& taken) {
+        for (const Dart f : roots(component)) {
+            std::vector<Start> starts;
+            for (Index j = 0; j < b_.map.n_components(); ++j)
+                if (!taken[to_size(j)] && b_.map.component_size(j) == a_.map.component_size(component))
+                    collect_starts(f, j, parity, starts);
+            if (const Start* best = best_of(starts)) {
+                taken[to_size(best->component)] = 1;
+                walk_.run(best->f, best->g, to_size(a_.map.n_triangles()));
+                return true;
+            }
+            if (exhausted()) return false;
+        }
+        return false;
+    }
+
+    // A border's dart; or those of the triangle at the sharpest edge, of which at most one is a diagonal.
+    std::vector<Dart> roots(Index component) const {
+        const Index begin = a_.map.component_begin[to_size(component)];
+        Dart sharpest = make_dart(begin, 0);
+        double least = 2;
+        for (Index t = begin; t < begin + a_.map.component_size(component); ++t) {
+            for (int c = 0; c < 3; ++c) {
+                const Dart f = make_dart(t, c, a_.map.parity(make_dart(t, c)));
+                if (a_.map.across(f) == no_dart) return {f};
+                const double cosine = a_.normal(t).dot(a_.normal(triangle_of(a_.map.across(f)))) *
+                                      (direction_of(a_.map.across(f)) == direction_of(f) ? 1 : -1);
+                if (cosine < least) {
+                    least = cosine;
+                    sharpest = f;
+                }
+            }
+        }
+        return {sharpest, next(sharpest, 1), next(sharpest, 2)};
+    }
+
+    // Those from which a few steps meet no contradiction.
+    void collect_starts(Dart f, Index component, unsigned parity, std::vector<Start>& starts) {
+        constexpr std::size_t few = 48;
+        const bool is_border = a_.map.across(f) == no_dart;
+        const Index begin = b_.map.component_begin[to_size(component)];
+        for (Index t = begin; t < begin + b_.map.component_size(component) && !exhausted(); ++t) {
+            for (int c = 0; c < 3; ++c) {
+                const Dart g = make_dart(t, c, b_.map.parity(make_dart(t, c)) ^ parity);
+                if ((b_.map.across(g) == no_dart) != is_border) continue;
+                if (walk_.run(f, g, few) != WalkEnd::contradiction)
+                    starts.push_back({f, g, component, walk_.mean_mismatch(), walk_.mean_squared_offset()});
+                walk_.take_back();
+            }
+        }
+    }
+
+    // The complete one of least mismatch; among equals the one that lies closest.
+    const Start* best_of(std::vector<Start>& starts) {
+        constexpr std::size_t max_complete = 16;
+        constexpr double rounding = 1e-12;
+        const auto is_better = [](const Start& p, const Start& q) {
+            if (std::abs(p.mismatch - q.mismatch) > 0.01 * std::min(p.mismatch, q.mismatch) + rounding)
+                return p.mismatch < q.mismatch;
+            return p.offset < q.offset;
+        };
+        std::stable_sort(starts.begin(), starts.end(), [&](const Start& p, const Start& q) {
+            return std::pair(std::llround(p.mismatch / 1e-6), p.offset) <
+                   std::pair(std::llround(q.mismatch / 1e-6), q.offset);
+        });
+        const Start* best = nullptr;
+        std::size_t n_complete = 0;
+        for (Start& start : starts) {
+            if (n_complete == max_complete || exhausted()) break;
+            const bool complete =
+                walk_.run(start.f, start.g, to_size(a_.map.n_triangles())) == WalkEnd::complete;
+            start.mismatch = walk_.mean_mismatch();
+            start.offset = walk_.mean_squared_offset();
+            walk_.take_back();
+            if (!complete) continue;
+            ++n_complete;
+            if (best == nullptr || is_better(start, *best)) best = &start;
+        }
+        return best;
+    }
+
+    bool exhausted() const { return walk_.total_steps() > max_steps_; }
+
+    const Side& a_;
+    const Side& b_;
+    Walk walk_;
+    const Progress& progress_;
+    std::size_t max_steps_;
+};
+
+// Triangles that are in no quad first.
+WithQuads with_quads(MeshView mesh, const std::vector<std::array<Index, 2>>& quads) {
+    WithQuads result{{mesh.vertices, {}}, {}};
+    std::vector<char> is_half(to_size(mesh.n_triangles()), 0);
+    for (const auto& [t, u] : quads) is_half[to_size(t)] = is_half[to_size(u)] = 1;
+    std::vector<Index> corners;  // of polygons, at each corner of the triangles
+    Polygons& polygons = result.mesh.polygons;
+    polygons.first = {0};
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        if (is_half[to_size(t)]) continue;
+        const Index first = polygons.first.back();
+        result.triangle.push_back(t);
+        corners.insert(corners.end(), {first, first + 1, first + 2});
+        polygons.first.push_back(first + 3);
+    }
+    for (const auto& [t, u] : quads) {
+        const Index first = polygons.first.back();
+        result.triangle.insert(result.triangle.end(), {t, u});
+        const auto in_other = [&](Index v) {
+            return mesh.triangles(u, 0) == v || mesh.triangles(u, 1) == v || mesh.triangles(u, 2) == v;
+        };
+        Index tip = 0;  // the corner of t that is not on the diagonal
+        while (tip < 2 && in_other(mesh.triangles(t, tip))) ++tip;
+        // Around the quad: the tip, one end of the diagonal, the other tip, the other end.
+        const Index one = mesh.triangles(t, (tip + 1) % 3), other = mesh.triangles(t, (tip + 2) % 3);
+        const std::array<Index, 3> place = {0, 1, 3};
+        for (Index c = 0; c < 3; ++c) corners.push_back(first + place[to_size((c - tip + 3) % 3)]);
+        for (Index c = 0; c < 3; ++c) {
+            const Index v = mesh.triangles(u, c);
+            corners.push_back(first + (v == one ? 1 : v == other ? 3 : 2));
+        }
+        polygons.first.push_back(first + 4);
+    }
+    result.mesh.triangles = mesh.triangles(result.triangle, Eigen::all);
+    polygons.corners =
+        Eigen::Map<const Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+    return result;
+}
+
+}  // namespace
+
+std::optional<Recut> find_recut_quads(MeshView source, MeshView target, const Progress& progress) {
+    if (source.n_triangles() != target.n_triangles()) return std::nullopt;
+    Side a(source), b(target);
+    if (a.map.n_vertices() != b.map.n_vertices() || a.map.n_components() != b.map.n_components() ||
+        a.map.boundary_edges != b.map.boundary_edges || !a.is_manifold() || !b.is_manifold())
+        return std::nullopt;
+    const bool have_polygons = source.polygons != nullptr || target.polygons != nullptr;
+    if (!have_polygons && is_edit(a.map, b.map)) return std::nullopt;
+    a.find_diagonals(!have_polygons);
+    b.find_diagonals(!have_polygons);
+    for (const unsigned parity : {0U, 1U}) {
+        const auto quads = Search(a, b, progress).run(parity);
+        if (!quads) continue;
+        std::vector<std::array<Index, 2>> ours, theirs;
+        const auto named = [](const Side& side, const std::array<Index, 2>& pair) {
+            return std::array<Index, 2>{side.map.input_triangle[to_size(pair[0])],
+                                        side.map.input_triangle[to_size(pair[1])]};
+        };
+        for (const CutQuad& quad : *quads) {
+            ours.push_back(named(a, quad.source));
+            theirs.push_back(named(b, quad.target));
+        }
+        return Recut{with_quads(source, ours), with_quads(target, theirs), static_cast<Index>(ours.size())};
+    }
+    return std::nullopt;
+}
+
+}  // namespace counterpart::diagonals

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/isomorphism/dart_map.hpp"
+
+#include <vector>
+
+namespace counterpart::diagonals {
+
+/// One of two meshes whose quads may be cut along different diagonals.
+struct Side {
+    explicit Side(MeshView mesh_of_side);
+
+    MeshView mesh;
+    isomorphism::DartMap map;
+    /// Of each half-edge of the map: whether it may cut a quad in two. Empty: no one is known to.
+    std::vector<char> may_cut;
+    double scale = 1;  ///< mean length of an edge
+
+    Eigen::RowVector3d at(Index v) const {
+        return mesh.vertices.row(map.input_vertex[static_cast<std::size_t>(v)]);
+    }
+    /// Of length 1, or 0 where the triangle has no area.
+    Eigen::RowVector3d normal(Index t) const;
+    bool is_manifold() const { return map.non_manifold_edges == 0 && map.non_manifold_vertices == 0; }
+    /// Fills may_cut: edges inside polygons of a mesh that has some, of another one `by_shape` if asked to.
+    void find_diagonals(bool by_shape);
+
+  private:
+    bool is_inside_polygon(isomorphism::Dart f, const std::vector<Index>& polygon) const;
+    bool cuts_convex_quad(isomorphism::Dart f) const;
+};
+
+}  // namespace counterpart::diagonals
