@@ -28,20 +28,53 @@ Corners sorted(Corners corners) {
     return corners;
 }
 
-// For each source vertex whether all triangles around it go to triangles of the target; all false if less
-// than `least_share` of the triangles do.
+// The triangles of the target, and whether those of the source go to them.
+class Counterparts {
+  public:
+    Counterparts(MeshView source, MeshView target, const VertexMap& map)
+        : source_(source), map_(map), around_(source.triangles, source.n_vertices()) {
+        known_.reserve(static_cast<std::size_t>(target.n_triangles()));
+        for (Index t = 0; t < target.n_triangles(); ++t)
+            known_.push_back(
+                sorted({target.triangles(t, 0), target.triangles(t, 1), target.triangles(t, 2)}));
+        std::sort(known_.begin(), known_.end());
+    }
+
+    // As a triangle, or as one half of a quad that the target cuts along the other diagonal.
+    bool has(Index t) const {
+        const auto v = source_.triangles.row(t);
+        return holds(v[0], v[1], v[2]) || is_recut(t, v[0], v[1], v[2]) || is_recut(t, v[1], v[2], v[0]) ||
+               is_recut(t, v[2], v[0], v[1]);
+    }
+
+  private:
+    bool holds(Index a, Index b, Index c) const {
+        return std::binary_search(known_.begin(), known_.end(), sorted({map_[a], map_[b], map_[c]}));
+    }
+
+    bool is_recut(Index t, Index a, Index b, Index tip) const {
+        for (const Index u : around_.around(a)) {
+            const auto v = source_.triangles.row(u);
+            const Index other = v[0] + v[1] + v[2] - a - b;
+            if (u != t && (v.array() == b).any() && holds(a, tip, other) && holds(b, tip, other)) return true;
+        }
+        return false;
+    }
+
+    MeshView source_;
+    const VertexMap& map_;
+    mesh::Fans around_;
+    std::vector<Corners> known_;
+};
+
+// For each source vertex whether all triangles around it have counterparts in the target; all false if less
+// than `least_share` of the triangles have.
 std::vector<char> exact_vertices(MeshView source, MeshView target, const VertexMap& map, double least_share) {
-    std::vector<Corners> known;
-    known.reserve(static_cast<std::size_t>(target.n_triangles()));
-    for (Index t = 0; t < target.n_triangles(); ++t)
-        known.push_back(sorted({target.triangles(t, 0), target.triangles(t, 1), target.triangles(t, 2)}));
-    std::sort(known.begin(), known.end());
+    const Counterparts counterparts(source, target, map);
     std::vector<char> exact(static_cast<std::size_t>(source.n_vertices()), 1);
     Index kept = 0;
     for (Index t = 0; t < source.n_triangles(); ++t) {
-        const Corners image =
-            sorted({map[source.triangles(t, 0)], map[source.triangles(t, 1)], map[source.triangles(t, 2)]});
-        if (std::binary_search(known.begin(), known.end(), image)) {
+        if (counterparts.has(t)) {
             ++kept;
             continue;
         }
