@@ -4,6 +4,7 @@
 
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
+#include "mesh/hanging_vertices.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -20,8 +21,18 @@ using namespace io;
 
 namespace {
 
+void require_no_hanging_vertex(const Cells& cells, const TetrahedralMesh& mesh, const std::string& name) {
+    if (const auto hanging = mesh::find_hanging_vertex(mesh))
+        throw IoError(fmt::format(
+            "{}:{}: vertex {} hangs on tetrahedron {}: it lies within a face or an edge, but is no corner",
+            name, cells.tetrahedron_lines[static_cast<std::size_t>(hanging->tetrahedron)], hanging->vertex,
+            hanging->tetrahedron));
+}
+
+}  // namespace
+
 // Those of a file whose tetrahedra are all inverted are turned round: it counts their corners the other way.
-TetrahedralMeshFile solid_of(const Cells& cells, const std::string& name) {
+TetrahedralMeshFile io::solid_of_cells(const Cells& cells, const std::string& name) {
     TetrahedralMeshFile result;
     result.mesh.vertices =
         PointsView(cells.coordinates.data(), static_cast<Eigen::Index>(cells.n_vertices()), 3);
@@ -40,60 +51,13 @@ TetrahedralMeshFile solid_of(const Cells& cells, const std::string& name) {
                                   cells.tetrahedron_lines[static_cast<std::size_t>(t)], t,
                                   volumes[t] < 0 ? "is inverted, unlike others" : "has no volume"));
     }
+    require_valid(mesh);
+    require_no_hanging_vertex(cells, mesh, name);
     if (!cells.face_sizes.empty())
         result.notices.push_back(
             fmt::format("{} faces beside the tetrahedra are left out", cells.face_sizes.size()));
     return result;
 }
-
-std::string gmsh_bytes(const TetrahedralMesh& mesh) {
-    std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.n_vertices());
-    for (Index v = 0; v < mesh.n_vertices(); ++v)
-        text += fmt::format("{} {} {} {}\n", v + 1, mesh.vertices(v, 0), mesh.vertices(v, 1),
-                            mesh.vertices(v, 2));
-    text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.n_tetrahedra());
-    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
-        text += fmt::format("{} 4 2 0 1", t + 1);
-        for (int c = 0; c < 4; ++c) text += fmt::format(" {}", mesh.tetrahedra(t, c) + 1);
-        text += '\n';
-    }
-    return text + "$EndElements\n";
-}
-
-void append_points(std::string& text, const TetrahedralMesh& mesh, const char* end) {
-    for (Index v = 0; v < mesh.n_vertices(); ++v)
-        text +=
-            fmt::format("{} {} {}{}\n", mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2), end);
-}
-
-std::string medit_bytes(const TetrahedralMesh& mesh) {
-    std::string text = fmt::format("MeshVersionFormatted 2\nDimension 3\nVertices\n{}\n", mesh.n_vertices());
-    append_points(text, mesh, " 0");
-    text += fmt::format("Tetrahedra\n{}\n", mesh.n_tetrahedra());
-    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
-        for (int c = 0; c < 4; ++c) text += fmt::format("{} ", mesh.tetrahedra(t, c) + 1);
-        text += "0\n";
-    }
-    return text + "End\n";
-}
-
-std::string vtk_bytes(const TetrahedralMesh& mesh) {
-    std::string text = fmt::format(
-        "# vtk DataFile Version 3.0\ncounterpart\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} double\n",
-        mesh.n_vertices());
-    append_points(text, mesh, "");
-    text += fmt::format("CELLS {} {}\n", mesh.n_tetrahedra(), 5 * std::int64_t{mesh.n_tetrahedra()});
-    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
-        text += '4';
-        for (int c = 0; c < 4; ++c) text += fmt::format(" {}", mesh.tetrahedra(t, c));
-        text += '\n';
-    }
-    text += fmt::format("CELL_TYPES {}\n", mesh.n_tetrahedra());
-    for (Index t = 0; t < mesh.n_tetrahedra(); ++t) text += "10\n";
-    return text;
-}
-
-}  // namespace
 
 std::int64_t io::read_count(TextCursor& text, std::string_view what, std::size_t least_size) {
     text.next_content();
@@ -139,8 +103,7 @@ MeshFile io::mesh_of_cells(const Cells& cells, const std::string& name) {
                         {}};
         return result;
     }
-    const TetrahedralMeshFile solid = solid_of(cells, name);
-    require_valid(solid.mesh);
+    const TetrahedralMeshFile solid = solid_of_cells(cells, name);
     const SolidBoundary surface = boundary(solid.mesh);
     MeshFile result{{solid.mesh.vertices, surface.mesh.triangles}, solid.notices};
     for (Eigen::Index i = 0; i < result.mesh.triangles.size(); ++i)
@@ -155,28 +118,10 @@ std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::
     try {
         const Cells cells = read_cells(file);
         if (cells.tetrahedra.empty()) return std::nullopt;
-        TetrahedralMeshFile result = solid_of(cells, file.string());
-        require_valid(result.mesh);
-        return result;
+        return solid_of_cells(cells, file.string());
     } catch (const InvalidInput& error) {
         throw IoError(fmt::format("{}: {}", file.string(), error.what()));
     }
-}
-
-void write_tetrahedral_mesh(const TetrahedralMesh& mesh, const std::filesystem::path& file) {
-    try {
-        require_valid(mesh);
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
-    }
-    const std::string extension = lower_extension(file);
-    if (extension != ".msh" && extension != ".mesh" && extension != ".vtk")
-        throw IoError(fmt::format("{}: the name of a mesh of tetrahedra must end in .msh, .mesh or .vtk",
-                                  file.string()));
-    write_file(extension == ".msh"    ? gmsh_bytes(mesh)
-               : extension == ".mesh" ? medit_bytes(mesh)
-                                      : vtk_bytes(mesh),
-               file);
 }
 
 }  // namespace counterpart

@@ -38,14 +38,27 @@ void read_corners(TextCursor& text, std::int64_t n_vertices, std::int64_t base, 
 Cells read_gmsh(std::string_view bytes, const std::string& name);
 Cells read_medit(std::string_view bytes, const std::string& name);
 Cells read_vtk(std::string_view bytes, const std::string& name);
-/// Triangle's and TetGen's .ele beside .node (or .poly, whose vertices are used where there is no .node).
+/// Of Triangle and TetGen, vertices and what is made of them.
+Cells parse_ele(std::string_view nodes, std::string_view elements, const std::string& nodes_name,
+                const std::string& elements_name);
+/// Of Triangle, closed outlines in the plane, each a polygon. `nodes` is used where `poly` has no vertices.
+Cells parse_outlines(std::string_view poly, std::string_view nodes, const std::string& name);
+/// The .ele beside .node (or .poly, whose vertices are used where there is no .node); a .poly alone.
 Cells read_ele(const std::filesystem::path& file);
 
 /// Whether the extension is one of these formats': .msh, .mesh, .vtk, .ele, .node, .poly.
 bool holds_cells(const std::filesystem::path& file);
 /// Throws IoError.
 Cells read_cells(const std::filesystem::path& file);
+/// The tetrahedra, turned round where all are inverted. Throws IoError with the line of a single one that is
+/// inverted or flat, or on which a vertex hangs.
+TetrahedralMeshFile solid_of_cells(const Cells& cells, const std::string& name);
 /// The faces, or the surface of the tetrahedra if there are any, over all vertices.
 MeshFile mesh_of_cells(const Cells& cells, const std::string& name);
+
+/// The whole file: Gmsh 2.2, Medit, legacy VTK 3.0, all text.
+std::string gmsh_bytes(const TetrahedralMesh& mesh);
+std::string medit_bytes(const TetrahedralMesh& mesh);
+std::string vtk_bytes(const TetrahedralMesh& mesh);
 
 }  // namespace counterpart::io

@@ -4,6 +4,7 @@
 // What a reader accepts must be valid, and come back the same when it is written and read again.
 #include "fuzz/require.hpp"
 #include "fuzz/targets.hpp"
+#include "io/cells.hpp"
 #include "io/corner_rows.hpp"
 #include "io/formats.hpp"
 #include "io/gltf_primitives.hpp"
@@ -71,6 +72,32 @@ void read_ply_bytes(std::string_view bytes) {
 void read_stl_bytes(std::string_view bytes) {
     const TriangleMesh mesh = read_stl(bytes, name).mesh;
     if (is_valid(mesh)) read_stl(stl_bytes(mesh), name);
+}
+
+void use_cells(const Cells& cells) {
+    is_valid(mesh_of_cells(cells, name).mesh);
+    if (cells.tetrahedra.empty()) return;
+    const TetrahedralMesh solid = solid_of_cells(cells, name).mesh;
+    const auto require_same = [&](const Cells& again) {
+        const TetrahedralMesh read = solid_of_cells(again, name).mesh;
+        require(read.vertices == solid.vertices && read.tetrahedra == solid.tetrahedra);
+    };
+    require_same(read_gmsh(gmsh_bytes(solid), name));
+    require_same(read_medit(medit_bytes(solid), name));
+    require_same(read_vtk(vtk_bytes(solid), name));
+}
+
+template <Cells (*read)(std::string_view, const std::string&)>
+void read_cells_bytes(std::string_view bytes) {
+    use_cells(read(bytes, name));
+}
+
+// A form feed parts the vertices from the elements; without one it is outlines.
+void read_ele_bytes(std::string_view bytes) {
+    const std::size_t end = bytes.find('\f');
+    use_cells(end == std::string_view::npos
+                  ? parse_outlines(bytes, "", name)
+                  : parse_ele(bytes.substr(0, end), bytes.substr(end + 1), name, name));
 }
 
 GltfFile read_gltf_bytes(std::string_view bytes) {
@@ -148,14 +175,18 @@ void read_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 8> readers = {{{"off", read_or_refused<read_off_bytes>},
-                                            {"obj", read_or_refused<read_obj_bytes>},
-                                            {"ply", read_or_refused<read_ply_bytes>},
-                                            {"stl", read_or_refused<read_stl_bytes>},
-                                            {"gltf", read_or_refused<read_and_write_gltf>},
-                                            {"npy", read_or_refused<read_npy_bytes>},
-                                            {"map", read_or_refused<read_map_bytes>},
-                                            {"surface_map", read_or_refused<read_surface_map_bytes>}}};
+constexpr std::array<Target, 12> readers = {{{"off", read_or_refused<read_off_bytes>},
+                                             {"obj", read_or_refused<read_obj_bytes>},
+                                             {"ply", read_or_refused<read_ply_bytes>},
+                                             {"stl", read_or_refused<read_stl_bytes>},
+                                             {"msh", read_or_refused<read_cells_bytes<read_gmsh>>},
+                                             {"medit", read_or_refused<read_cells_bytes<read_medit>>},
+                                             {"vtk", read_or_refused<read_cells_bytes<read_vtk>>},
+                                             {"ele", read_or_refused<read_ele_bytes>},
+                                             {"gltf", read_or_refused<read_and_write_gltf>},
+                                             {"npy", read_or_refused<read_npy_bytes>},
+                                             {"map", read_or_refused<read_map_bytes>},
+                                             {"surface_map", read_or_refused<read_surface_map_bytes>}}};
 
 }  // namespace
 

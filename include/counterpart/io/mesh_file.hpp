@@ -22,12 +22,11 @@ struct MeshFile {
 };
 
 /// Reads OFF, OBJ, PLY (text and binary), STL (text and binary) or glTF 2.0 (.glb, .gltf; see io/gltf.hpp),
-/// chosen by the file's extension, with the polygons of OFF, OBJ and PLY. Also the text forms of Gmsh 2
-/// and 4.1
-/// (.msh), Medit (.mesh), legacy VTK (.vtk), and Triangle's .ele beside .node or .poly: their faces, or the
-/// surface of their tetrahedra over all vertices; only triangles, quads, polygons and tetrahedra. Throws
-/// IoError naming the file, the line (text formats) and the reason, also for meshes that require_valid
-/// rejects.
+/// chosen by the file's extension, with the polygons of OFF, OBJ and PLY. Also the text forms of Gmsh 2 and
+/// 4.1 (.msh), Medit (.mesh), legacy VTK (.vtk), and Triangle's .ele beside .node or .poly: their faces, or
+/// the surface of their tetrahedra over all vertices; only triangles, quads, polygons and tetrahedra. The
+/// closed outlines of a .poly alone become polygons. Throws IoError naming the file, the line (text formats)
+/// and the reason, also for meshes that require_valid rejects.
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes OFF, OBJ, PLY (binary little-endian), STL (binary) or glTF, chosen by the extension. Text formats
@@ -60,7 +59,8 @@ struct TetrahedralMeshFile {
 
 /// Reads the tetrahedra of a .msh, .mesh, .vtk, or .ele file (see read_mesh); nothing for a file that has
 /// none. Where all are inverted they are turned round. Throws IoError naming the file, the line and the
-/// reason, also for cells of other kinds and for single tetrahedra that are inverted or have no volume.
+/// reason, also for cells of other kinds, for single tetrahedra that are inverted or have no volume, and for
+/// vertices that hang on a face or an edge.
 std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::path& file);
 
 /// Writes .msh (2.2, text), .mesh or .vtk, chosen by the extension; shortest decimals that read back to the

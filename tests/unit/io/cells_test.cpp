@@ -12,15 +12,26 @@
 namespace counterpart {
 namespace {
 
+testing::AssertionResult contains(const std::string& text, const std::string& part) {
+    if (text.find(part) != std::string::npos) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "'" << text << "' does not say '" << part << "'";
+}
+
 class CellFiles : public testing::Test {
   protected:
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         write_file(text, folder_ / name);
         return folder_ / name;
     }
-    void refuses(const std::string& name, const std::string& text, const std::string& part) const {
+    // The error that reading ends with; empty if it does not.
+    std::string error_of(const std::string& name, const std::string& text) const {
         const auto file = write(name, text);
-        test::expect_error<IoError>([&] { read_tetrahedral_mesh(file); }, part);
+        try {
+            read_tetrahedral_mesh(file);
+        } catch (const IoError& error) {
+            return error.what();
+        }
+        return {};
     }
     test::TemporaryFolder folder_;
 };
@@ -74,24 +85,67 @@ TEST_F(CellFiles, TriangleAndTetGenCountFrom0Or1) {
 }
 
 TEST_F(CellFiles, WhatIsWrongIsNamedWithItsLine) {
-    const std::string rest = "$EndElements\n";
-    refuses("b.msh", gmsh_2 + "7 5 2 0 1 10 20 30 40 10 20 30 40\n" + rest, "b.msh:19: an element of type 5");
-    refuses("c.msh", gmsh_2 + "7 4 2 0 1 10 20 30 41\n" + rest, "c.msh:19: the element names node 41");
-    refuses("d.msh", gmsh_2 + "7 4 2 0 1 10 20 30\n" + rest, "d.msh:19:");
-    refuses("e.msh", gmsh_2, "e.msh:");
-    refuses("f.msh", "$MeshFormat\n2.2 1 8\n", "f.msh:2: binary");
-    refuses("g.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2000000000\n",
-            "more than the file has room for");
-    refuses("h.mesh", medit.substr(0, medit.find("Tetra")) + "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n",
-            "h.mesh:14: Hexahedra");
-    refuses("i.mesh", medit.substr(0, medit.find("1 2 3 4 7")) + "0 1 2 3 7\n",
-            "i.mesh:16: the element names vertex 0, but vertices run from 1 to 4");
-    refuses("j.mesh", medit.substr(0, medit.find("Tetra")) + "Tetrahedra\n2\n1 2 3 4 0\n2 1 3 4 0\nEnd\n",
-            "j.mesh:17: tetrahedron 1 is inverted, unlike others");
-    refuses("k.mesh", medit.substr(0, medit.find("Tetra")) + "Tetrahedra\n1\n1 2 3 3 0\nEnd\n",
-            "k.mesh:16: tetrahedron 0 has no volume");
-    refuses("l.vtk", vtk.substr(0, vtk.find("10\n3")) + "12\n3\n", "l.vtk:9: a cell of type 12");
-    refuses("m.vtk", "vtk", "not a legacy VTK file");
+    const std::string rest = "$EndElements\n", solid = medit.substr(0, medit.find("Tetra"));
+    EXPECT_TRUE(contains(error_of("b.msh", gmsh_2 + "7 5 2 0 1 10 20 30 40 10 20 30 40\n" + rest),
+                         "b.msh:19: an element of type 5"));
+    EXPECT_TRUE(contains(error_of("c.msh", gmsh_2 + "7 4 2 0 1 10 20 30 41\n" + rest),
+                         "c.msh:19: the element names node 41"));
+    EXPECT_TRUE(contains(error_of("d.msh", gmsh_2 + "7 4 2 0 1 10 20 30\n" + rest), "d.msh:19:"));
+    EXPECT_TRUE(contains(error_of("e.msh", gmsh_2), "e.msh:"));
+    EXPECT_TRUE(contains(error_of("f.msh", "$MeshFormat\n2.2 1 8\n"), "f.msh:2: binary"));
+    EXPECT_TRUE(contains(error_of("g.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2000000000\n"),
+                         "more than the file has room for"));
+    EXPECT_TRUE(
+        contains(error_of("h.mesh", solid + "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\n"), "h.mesh:14: Hexahedra"));
+    EXPECT_TRUE(contains(error_of("i.mesh", medit.substr(0, medit.find("1 2 3 4 7")) + "0 1 2 3 7\n"),
+                         "i.mesh:16: the element names vertex 0, but vertices run from 1 to 4"));
+    EXPECT_TRUE(contains(error_of("j.mesh", solid + "Tetrahedra\n2\n1 2 3 4 0\n2 1 3 4 0\nEnd\n"),
+                         "j.mesh:17: tetrahedron 1 is inverted, unlike others"));
+    EXPECT_TRUE(contains(error_of("k.mesh", solid + "Tetrahedra\n1\n1 2 3 3 0\nEnd\n"),
+                         "k.mesh:16: tetrahedron 0 has no volume"));
+    EXPECT_TRUE(contains(error_of("l.vtk", vtk.substr(0, vtk.find("10\n3")) + "12\n3\n"),
+                         "l.vtk:9: a cell of type 12"));
+    EXPECT_TRUE(contains(error_of("m.vtk", "vtk"), "not a legacy VTK file"));
+}
+
+// Vertex 4 halves an edge of the first tetrahedron, or lies within its face; only the second one uses it.
+TEST_F(CellFiles, HangingVerticesAreNamed) {
+    for (const char* place : {"0.5 0.5 0", "0.25 0.25 0"}) {
+        const std::string text =
+            "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n" +
+            std::string(place) + " 0\n0 0 -1 0\nTetrahedra\n2\n1 2 3 4 0\n1 5 2 6 0\nEnd\n";
+        const std::string turned = std::string(text).replace(text.find("1 5 2 6"), 7, "1 2 5 6");
+        const std::string error = error_of("a.mesh", text) + error_of("a.mesh", turned);
+        EXPECT_TRUE(contains(error, "a.mesh:13: vertex 4 hangs on tetrahedron 0")) << place;
+    }
+}
+
+TEST_F(CellFiles, CountingFrom0And1InOneFileIsNamed) {
+    write("a.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+    EXPECT_TRUE(contains(error_of("a.ele", "1 4 0\n1 0 1 2 3\n"), "is it counted from 0 and 1 in one file?"));
+    EXPECT_TRUE(
+        contains(error_of("a.ele", "1 4 0\n0 1 2 3 4\n"), "a.ele:2: element 1 is expected here, not 0"));
+    EXPECT_TRUE(
+        contains(error_of("a.node", "2 3 0 0\n0 0 0 0\n2 1 0 0\n"), "a.node:3: vertex 1 is expected"));
+}
+
+TEST_F(CellFiles, OutlinesOfAPolyAloneArePolygons) {
+    const std::string square = "4 2 0 0\n0 0 0\n1 2 0\n2 2 2\n3 0 2\n";
+    const auto file = write("a.poly", square + "4 0\n0 1 0\n1 1 2\n2 3 2\n3 3 0\n0\n");
+    const TriangleMesh mesh = read_mesh(file).mesh;
+    EXPECT_EQ(mesh.polygons.first, (std::vector<Index>{0, 4}));
+    EXPECT_EQ(mesh.triangles, (Triangles(2, 3) << 0, 1, 2, 0, 2, 3).finished());
+    const auto error = [&](const std::string& segments) {
+        try {
+            read_mesh(write("b.poly", square + segments));
+        } catch (const IoError& caught) {
+            return std::string(caught.what());
+        }
+        return std::string();
+    };
+    EXPECT_TRUE(contains(error("3 0\n0 1 0\n1 1 2\n2 3 2\n0\n"), "vertex 0 has one segment"));
+    EXPECT_TRUE(contains(error("5 0\n0 1 0\n1 1 2\n2 3 2\n3 3 0\n4 0 2\n0\n"), "more than two segments"));
+    EXPECT_TRUE(contains(error("4 0\n0 1 0\n1 1 2\n2 3 2\n3 3 0\n1\n0 1 1\n"), "outlines with holes"));
 }
 
 TEST_F(CellFiles, ReversedSolidsAreTurnedRound) {

@@ -20,7 +20,7 @@ constexpr const char* dart = "v 0 0 0\nv 2 0 0\nv 0.5 0.5 0\nv 0 2 0\nvt 0 0\nvt
 
 TEST(PolygonFiles, AreKeptByAllFormatsThatHaveThem) {
     const test::TemporaryFolder folder;
-    const TriangleMesh soup = test::make_polygon_soup(12, 1);
+    const TriangleMesh soup = test::make_polygon_soup(64, 1);
     for (const char* extension : {".obj", ".off", ".ply"}) {
         const auto file = folder / (std::string("soup") + extension);
         write_mesh(soup, file);
