@@ -5,11 +5,13 @@
 
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
+#include <counterpart/match/volume.hpp>
 
 #include <cmath>
 #include <map>
 #include <memory>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 namespace counterpart::cli {
@@ -66,17 +68,62 @@ Fit by_icp(const TriangleMesh& source, const TriangleMesh& target, const Surface
             {{"iterations", result.iterations}, {"converged", result.converged}}};
 }
 
-void run(const AlignCommand& command) {
-    TriangleMesh source = load_mesh(command.source, command.common);
+// What stays true of a mesh that is moved as a whole; a skeleton does not move with it.
+void move(AttributedMesh& content, const Affine& transform) {
+    content.mesh.vertices = transform(content.mesh.vertices);
+    if (content.normals.values.rows() > 0)
+        content.normals.values =
+            (content.normals.values * transform.linear.inverse()).rowwise().normalized().eval();
+    for (MorphTarget& morph : content.morphs)
+        morph.displacements = (morph.displacements * transform.linear.transpose()).eval();
+    content.skin = {};
+    if (content.document) content.document = content.document->without_skeleton();
+}
+
+Fit fitted(const AlignCommand& command, const TriangleMesh& source, const TriangleMesh& target,
+           const SurfaceMap& map) {
+    return command.use_icp ? by_icp(source, target, map, command)
+                           : from_map(source, target, map, models.at(command.model));
+}
+
+// By all vertices, also those inside.
+Fit align_solids(const AlignCommand& command, TetrahedralMesh source, const TetrahedralMesh& target) {
+    const TriangleMesh from = all_faces(source), to = all_faces(target);
+    SurfaceMap map;
+    if (!command.map.empty())
+        map = surface_map_of(load_map(command.map, {from, to, command.source, command.target}).vertices, to);
+    else if (!command.use_icp)
+        map = surface_map_of(
+            match_volume(source, target, {.n_threads = command.common.threads}).target_from_source, to);
+    Fit fit = fitted(command, from, to, map);
+    source.vertices = fit.transform(source.vertices);
+    write_tetrahedral_mesh(source, command.output);
+    return fit;
+}
+
+Fit align_surfaces(const AlignCommand& command) {
+    AttributedMesh source = load_attributed_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     SurfaceMap map;
     if (!command.map.empty() || !command.use_icp)
-        map = surface_map_or_match(command.map, {source, target, command.source, command.target},
+        map = surface_map_or_match(command.map, {source.mesh, target, command.source, command.target},
                                    command.common);
-    const Fit fit = command.use_icp ? by_icp(source, target, map, command)
-                                    : from_map(source, target, map, models.at(command.model));
-    source.vertices = fit.transform(source.vertices);
-    write_mesh(source, command.output);
+    Fit fit = fitted(command, source.mesh, target, map);
+    move(source, fit.transform);
+    write_attributed_mesh(source, command.output);
+    return fit;
+}
+
+Fit aligned(const AlignCommand& command) {
+    if (holds_tetrahedra(command.output))
+        if (auto source = load_solid(command.source, command.common))
+            if (const auto target = load_solid(command.target, command.common))
+                return align_solids(command, std::move(*source), *target);
+    return align_surfaces(command);
+}
+
+void run(const AlignCommand& command) {
+    const Fit fit = aligned(command);
     say(command.common,
         fmt::format("{} fit, RMS distance {:.6g} -> {}", command.model, fit.rms, command.output.string()));
     Json matrix = Json::array();

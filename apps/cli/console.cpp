@@ -114,6 +114,11 @@ AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const Com
     return std::move(loaded.content);
 }
 
+bool holds_tetrahedra(const std::filesystem::path& file) {
+    const std::string extension = lower_extension(file);
+    return extension == ".msh" || extension == ".mesh" || extension == ".vtk";
+}
+
 std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options) {
     std::optional<TetrahedralMeshFile> loaded = read_tetrahedral_mesh(file);
     if (!loaded) return std::nullopt;

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/mesh/weld.hpp>
 
@@ -32,13 +33,12 @@ void write_solid(const TetrahedralMesh& mesh, const ConvertCommand& command) {
                  command.common);
 }
 
-bool is_solid_format(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension == ".msh" || extension == ".mesh" || extension == ".vtk";
-}
-
 void run(const ConvertCommand& command) {
-    if (is_solid_format(command.output)) {
+    if (command.cells > 0 && !holds_tetrahedra(command.output))
+        throw InvalidInput(fmt::format(
+            "--fill makes a solid, which {} files do not hold: name OUT .msh, .mesh or .vtk, or leave it out",
+            lower_extension(command.output)));
+    if (holds_tetrahedra(command.output)) {
         if (command.cells > 0)
             return write_solid(fill_with_tetrahedra(load_mesh(command.input, command.common), command.cells),
                                command);
@@ -71,7 +71,7 @@ void add_convert(CLI::App& program) {
     CLI::App* convert =
         program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
     add_input(*convert, command->common.files, "IN", command->input,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele)")
+              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele, .poly)")
         ->required();
     add_output(*convert, command->common.files, "OUT", command->output, Content::mesh,
                "Mesh file; format from the file extension")

@@ -12,11 +12,13 @@
 #include <counterpart/evaluation/overlap.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/mesh/measure.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -118,10 +120,20 @@ void write_curve(const EvaluationReport& report, const std::filesystem::path& fi
     write_file(csv, file);
 }
 
+// Solids are measured along the edges inside too, relative to the area of the target's surface.
+std::pair<TriangleMesh, TriangleMesh> load_meshes(EvaluateCommand& command) {
+    if (const auto source = load_solid(command.source, command.common)) {
+        if (const auto target = load_solid(command.target, command.common)) {
+            command.options.target_area = surface_area(boundary(*target).mesh);
+            return {all_faces(*source), all_faces(*target)};
+        }
+    }
+    return {load_mesh(command.source, command.common), load_mesh(command.target, command.common)};
+}
+
 void run(EvaluateCommand& command) {
     Stopwatch watch;
-    const TriangleMesh source = load_mesh(command.source, command.common);
-    const TriangleMesh target = load_mesh(command.target, command.common);
+    const auto [source, target] = load_meshes(command);
     const LoadedMap map = load_map(command.map, {source, target, command.source, command.target});
     std::optional<GroundTruth> truth = read_truth(command.truth);
     const std::optional<OverlapReport> overlap =

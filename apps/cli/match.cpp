@@ -135,7 +135,7 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
                           .n_threads = command.common.threads,
                           .progress = progress_bar("matching", command.common)};
     const VolumeResult result = match_volume(source, target, options);
-    options.progress = {};
+    options.progress = {};  // ends the bar
     watch.lap("match");
     if (result.method == MatchMethod::exact && !result.identical)
         throw InvalidInput("the solids have different connectivity: " + result.difference);

@@ -69,7 +69,8 @@ void write_morph_targets(AttributedMesh content, const std::vector<Points>& fram
     write_attributed_mesh(content, output);
 }
 
-void write_frames(const TriangleMesh& first, const std::vector<Points>& frames, const Points& last,
+// With what the first key frame has that no pose changes: no normals, no skeleton.
+void write_frames(AttributedMesh content, const std::vector<Points>& frames, const Points& last,
                   const MorphCommand& command) {
     std::error_code failure;
     std::filesystem::create_directories(command.output, failure);
@@ -77,10 +78,14 @@ void write_frames(const TriangleMesh& first, const std::vector<Points>& frames, 
         throw IoError(
             fmt::format("{}: cannot create folder ({})", command.output.string(), failure.message()));
     const auto write = [&](const Points& vertices, std::size_t number) {
-        write_mesh({vertices, first.triangles, first.polygons.empty() ? nullptr : &first.polygons},
-                   command.output / fmt::format("frame_{:04}{}", number, command.format));
+        content.mesh.vertices = vertices;
+        write_attributed_mesh(content, command.output / fmt::format("frame_{:04}{}", number, command.format));
     };
-    write(first.vertices, 0);
+    content.normals = {};
+    content.skin = {};
+    content.morphs.clear();
+    if (content.document) content.document = content.document->without_skeleton();
+    write(Points(content.mesh.vertices), 0);
     for (std::size_t k = 0; k < frames.size(); ++k) write(frames[k], k + 1);
     write(last, frames.size() + 1);
 }
@@ -106,7 +111,7 @@ void run(const MorphCommand& command) {
     if (is_gltf(command.output))
         write_morph_targets(first_content, frames, pose, command.output);
     else
-        write_frames(first, frames, pose, command);
+        write_frames(first_content, frames, pose, command);
     watch.lap("write");
 
     const Json rows = measured(first, pose, frames);

@@ -124,7 +124,7 @@ EvaluationReport evaluated(const VertexMap& corners, const WaysOf& ways_of, cons
     require_fitting(truth, source, target);
     EvaluationReport report;
     report.thresholds = thresholds_of(options);
-    report.target_area = surface_area(target);
+    report.target_area = options.target_area == 0 ? surface_area(target) : options.target_area;
     if (!(report.target_area > 0))
         throw InvalidInput("the target has no area, which errors are measured relative to");
 

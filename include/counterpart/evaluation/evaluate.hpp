@@ -38,6 +38,9 @@ struct EvaluationOptions {
     /// Errors at which the curve is sampled, increasing, in units of sqrt(target area) / 100. Empty = 0,
     /// 0.25, ..., 25.
     std::vector<double> thresholds{};
+    /// Squared mesh units, to which errors are relative; 0: the area of the target. Solids, given as all of
+    /// their faces, are measured by the area of their surface.
+    double target_area = 0;
     int n_threads = 0;  ///< 0 = all; does not change the result
     Progress progress{};
 };
@@ -53,7 +56,7 @@ struct EvaluationReport {
     Index n_unmatched = 0;        ///< ... whose source vertex is unmatched
     Index n_other_component = 0;  ///< ... mapped to another component than the true vertex
     Index n_exact = 0;            ///< ... mapped to exactly the true vertex
-    double target_area = 0;       ///< squared mesh units
+    double target_area = 0;       ///< squared mesh units, as given in the options or measured
 
     /// Per true pair: graph distance on the target between the true and the mapped vertex, mesh
     /// units; infinite for another component, NaN where unmatched.
