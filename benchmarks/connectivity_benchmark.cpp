@@ -4,14 +4,18 @@
 // Polygons and solids, and the claim of Sahillioglu and Yemez that frontiers adapt to other dimensions d:
 // their number grows as V^(1/d).
 //
-//     connectivity [--large]
+//     connectivity [--large | --solids A B]
 //
 // One JSON line per measurement: exact and frontiers between a generated mesh and its bent and shuffled copy
 // on one thread, in processor seconds; then the exponents p of frontiers ~ V^p and of seconds ~ V^p that fit
-// the meshes of each dimension. --large adds solids of half a million tetrahedra.
+// the meshes of each dimension. --large adds solids of half a million tetrahedra. --solids: the error of the
+// spectral map between two tetrahedralizations of one solid, of which the second is bent, on the surface and
+// inside, and how close the nearest vertex is; in hundredths of the square root of the surface's area.
 #include <counterpart/frontier/frontiers.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/volume.hpp>
 #include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
 
@@ -153,6 +157,45 @@ void measure_solids(bool large) {
     fit(3, series);
 }
 
+struct MeanError {
+    double of_map = 0, of_nearest = 0;
+    Index count = 0;
+    void add(double map, double nearest) {
+        of_map += map;
+        of_nearest += nearest;
+        ++count;
+    }
+    Json json() const {
+        return {{"vertices", count}, {"mean_error", of_map / count}, {"nearest_vertex", of_nearest / count}};
+    }
+};
+
+int measure_solids_of_files(const char* first, const char* second) {
+    const auto source = read_tetrahedral_mesh(first), rest = read_tetrahedral_mesh(second);
+    if (!source || !rest) return 1;
+    const TetrahedralMesh target = bent(rest->mesh);
+    const Points truth = bent(source->mesh).vertices;
+    const VolumeResult result = match_volume(source->mesh, target, {.method = MatchMethod::spectral});
+    const double unit = std::sqrt(surface_area(boundary(target).mesh)) / 100;
+    std::vector<char> is_outside(static_cast<std::size_t>(source->mesh.n_vertices()), 0);
+    for (const Index v : boundary(source->mesh).vertices) is_outside[static_cast<std::size_t>(v)] = 1;
+    MeanError outside, all;
+    for (Index v = 0; v < source->mesh.n_vertices(); ++v) {
+        const Index w = result.target_from_source[v];
+        if (w < 0) continue;
+        const Vector distances = (target.vertices.rowwise() - truth.row(v)).rowwise().norm() / unit;
+        all.add(distances[w], distances.minCoeff());
+        if (is_outside[static_cast<std::size_t>(v)]) outside.add(distances[w], distances.minCoeff());
+    }
+    std::puts(Json({{"mesh", "two tetrahedralizations"},
+                    {"tetrahedra", {source->mesh.n_tetrahedra(), target.n_tetrahedra()}},
+                    {"surface", outside.json()},
+                    {"all", all.json()}})
+                  .dump()
+                  .c_str());
+    return 0;
+}
+
 // Each triangle in three quads.
 TriangleMesh quads_of(MeshView mesh) {
     const TriangleMesh fine = subdivide(mesh);
@@ -195,6 +238,7 @@ void measure_polygons() {
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 4 && std::string(argv[1]) == "--solids") return measure_solids_of_files(argv[2], argv[3]);
     const bool large = argc > 1 && std::string(argv[1]) == "--large";
     measure_polygons();
     measure_curves();
