@@ -155,7 +155,8 @@ WithQuads with_quads(MeshView mesh, const std::vector<std::array<Index, 2>>& qua
         corners.insert(corners.end(), {first, first + 1, first + 2});
         polygons.first.push_back(first + 3);
     }
-    for (const auto& [t, u] : quads) {
+    for (const std::array<Index, 2>& quad : quads) {
+        const Index t = quad[0], u = quad[1];
         const Index first = polygons.first.back();
         result.triangle.insert(result.triangle.end(), {t, u});
         const auto in_other = [&](Index v) {
