@@ -54,18 +54,52 @@ std::vector<Index> beginnings(MeshView mesh) {
     return vertices;
 }
 
-// The farthest of the vertices that are reached at all; -1 if none is farther than 0.
-Index farthest(const Vector& distance) {
-    Index best = -1;
-    double greatest = 0;
-    for (Index v = 0; v < static_cast<Index>(distance.size()); ++v) {
-        if (distance[v] > greatest && distance[v] < unreached) {
-            greatest = distance[v];
-            best = v;
+// The farthest of the vertices that are reached at all. A new sample changes few blocks of vertices, and only
+// these are looked through again.
+class Farthest {
+  public:
+    explicit Farthest(const Vector& distance)
+        : distance_(distance),
+          best_((static_cast<std::size_t>(distance.size()) + block_size - 1) / block_size, -1),
+          is_stale_(best_.size(), 1) {}
+
+    void changed(Index v) { is_stale_[static_cast<std::size_t>(v) / block_size] = 1; }
+
+    // The smallest of equally far ones; -1 if none is farther than 0.
+    Index find() {
+        Index best = -1;
+        for (std::size_t block = 0; block < best_.size(); ++block) {
+            if (is_stale_[block] != 0) {
+                const auto begin = static_cast<Index>(block * block_size);
+                best_[block] =
+                    farthest(begin, std::min(begin + block_size, static_cast<Index>(distance_.size())));
+                is_stale_[block] = 0;
+            }
+            if (best_[block] >= 0 && (best < 0 || distance_[best_[block]] > distance_[best]))
+                best = best_[block];
         }
+        return best;
     }
-    return best;
-}
+
+  private:
+    static constexpr Index block_size = 256;
+
+    Index farthest(Index begin, Index end) const {
+        Index best = -1;
+        double greatest = 0;
+        for (Index v = begin; v < end; ++v) {
+            if (distance_[v] > greatest && distance_[v] < unreached) {
+                greatest = distance_[v];
+                best = v;
+            }
+        }
+        return best;
+    }
+
+    const Vector& distance_;
+    std::vector<Index> best_;  // of each block
+    std::vector<char> is_stale_;
+};
 
 }  // namespace
 
@@ -77,6 +111,7 @@ FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& 
         {}, std::vector<Index>(n, -1), Vector::Constant(mesh.n_vertices(), unreached), 0};
     const auto count = options.count > 0 ? static_cast<std::size_t>(options.count) : n;
     geodesic::Dijkstra dijkstra(graph);
+    Farthest farthest(result.distance_to_sample);
     const auto take = [&](Index base) {
         const auto number = static_cast<Index>(result.vertices.size());
         report_progress(options.progress, static_cast<double>(number) / static_cast<double>(count));
@@ -85,6 +120,7 @@ FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& 
         for (const Index v : dijkstra.visited()) {
             result.sample_of_vertex[static_cast<std::size_t>(v)] = number;
             result.distance_to_sample[v] = dijkstra.distance(v);
+            farthest.changed(v);
         }
     };
 
@@ -92,10 +128,10 @@ FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& 
     for (const Index beginning : beginnings(mesh))
         if (result.vertices.size() < count && result.distance_to_sample[beginning] == unreached)
             take(beginning);
-    Index next = farthest(result.distance_to_sample);
+    Index next = farthest.find();
     while (next >= 0 && result.vertices.size() < count && result.distance_to_sample[next] > options.radius) {
         take(next);
-        next = farthest(result.distance_to_sample);
+        next = farthest.find();
     }
     if (next >= 0) result.covering_radius = result.distance_to_sample[next];
     report_progress(options.progress, 1);

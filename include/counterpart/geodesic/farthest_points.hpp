@@ -34,9 +34,9 @@ struct FarthestPointSamples {
 /// at its vertex farthest from the center of the surface. Samples are more than `radius` apart, and no vertex
 /// is farther than that from one.
 ///
-/// A new sample only searches the region it takes over: O(V log count) for the searches, O(V count) for the
-/// choice. Throws InvalidInput for a graph of another mesh, no bound, a negative one, or a `first` that is
-/// not a vertex.
+/// A new sample only searches the region it takes over: O(V log count) for the searches; the choice is at
+/// most O(V count), and far less where neighbors have similar numbers. Throws InvalidInput for a graph of
+/// another mesh, no bound, a negative one, or a `first` that is not a vertex.
 FarthestPointSamples farthest_point_samples(MeshView mesh, const DistanceGraph& graph,
                                             const FarthestPointOptions& options);
 

@@ -4,6 +4,7 @@
 
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/spectral/lift.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/selection.hpp"
 #include "match/spectral/trial.hpp"
@@ -18,11 +19,11 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// Input vertices as vertices of the matched parts.
-VertexPairs matched(VertexPairs pairs, const Preprocessed& source, const Preprocessed& target) {
+// Input vertices as those that are matched.
+VertexPairs matched(VertexPairs pairs, const PreparedShape& source, const PreparedShape& target) {
     for (auto& [s, t] : pairs) {
-        s = source.matched_of_input[static_cast<std::size_t>(s)];
-        t = target.matched_of_input[static_cast<std::size_t>(t)];
+        s = source.vertex_of_input(s);
+        t = target.vertex_of_input(t);
     }
     return pairs;
 }
@@ -40,8 +41,8 @@ Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
 
 Priors priors_of(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
                  const PriorTuning& tuning) {
-    Priors priors = make_priors(source, target, matched(options.landmarks, source.origin, target.origin),
-                                matched(options.excluded, source.origin, target.origin));
+    Priors priors = make_priors(source, target, matched(options.landmarks, source, target),
+                                matched(options.excluded, source, target));
     priors.directions = common_directions(options);
     priors.pinned = !options.soft_landmarks;
     priors.tuning = tuning;
@@ -73,13 +74,25 @@ std::vector<Candidate> find_finalists(const PreparedShape& source, const Prepare
     return candidates;
 }
 
+// Between the full meshes.
+PairedMaps on_full(const PreparedShape& source, const PreparedShape& target, PairedMaps maps,
+                   const SpectralTuning& tuning, const ProgressRange& progress) {
+    return source.full || target.full ? lift(source, target, maps, tuning.refinement, progress)
+                                      : std::move(maps);
+}
+
+Vector on_full(const PreparedShape& shape, Vector values) {
+    return shape.full ? Vector(values(shape.full->cell_of_vertex)) : std::move(values);
+}
+
 void add_alternatives(SpectralResult& result, const SampledPair& pair, std::vector<Candidate> finalists,
-                      int count, const ConfidenceTuning& tuning) {
+                      int count, const SpectralTuning& tuning, const ProgressRange& progress) {
     for (std::size_t i = 1; i < finalists.size() && i <= static_cast<std::size_t>(count); ++i)
         result.alternatives.push_back(
-            {{std::move(finalists[i].on_vertices.b_from_a), pair.b.mesh.n_vertices()},
+            {{on_full(pair.a, pair.b, finalists[i].on_vertices, tuning, progress).b_from_a,
+              pair.b.n_full_vertices()},
              finalists[i].scores.total,
-             describe(pair, finalists[0], finalists[i], tuning)});
+             describe(pair, finalists[0], finalists[i], tuning.confidence)});
 }
 
 // Stages 5 and 6: the best of the finalists on all vertices, and what is to be said about it.
@@ -94,12 +107,14 @@ SpectralResult finish(const PreparedShape& source, const PreparedShape& target, 
     result.score = finalists.front().scores.total;
     result.margin = finalists.size() > 1 ? result.score - finalists[1].scores.total
                                          : std::numeric_limits<double>::infinity();
-    result.confidence = confidence(pair, maps, finalists, tuning.confidence);
+    result.confidence = on_full(source, confidence(pair, maps, finalists, tuning.confidence));
     result.warnings = warnings(pair, finalists, tuning.confidence);
-    add_alternatives(result, pair, finalists, options.n_alternatives, tuning.confidence);
-    result.target_from_source = {std::move(maps.b_from_a), target.mesh.n_vertices()};
-    result.source_from_target = {std::move(maps.a_from_b), source.mesh.n_vertices()};
     watch.lap("confidence");
+    maps = on_full(source, target, std::move(maps), tuning, progress);
+    add_alternatives(result, pair, finalists, options.n_alternatives, tuning, progress);
+    result.target_from_source = {std::move(maps.b_from_a), target.n_full_vertices()};
+    result.source_from_target = {std::move(maps.a_from_b), source.n_full_vertices()};
+    if (source.full || target.full) watch.lap("lift");
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "base/parallel.hpp"
 #include "geodesic/dijkstra.hpp"
 #include "match/spectral/partition.hpp"
+#include "match/spectral/proxy.hpp"
 #include "numerics/symmetric_eigen.hpp"
 #include "spectral/subspace_basis.hpp"
 
@@ -87,6 +88,19 @@ void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const Pr
     shape.extremity_distances = finite_rows(graph, vertices, progress);
 }
 
+// A large mesh is matched by a proxy, unless that lacks much of it: dust, thin leaves.
+void take_proxy(PreparedShape& shape, const PreparationTuning& tuning, const ProgressRange& progress) {
+    Proxy proxy = make_proxy(shape.mesh, tuning.proxy_size, progress);
+    const double area = surface_area(proxy.mesh);
+    if (area < tuning.min_proxy_area) return;
+    const double scale = 1 / std::sqrt(area);
+    shape.mesh.vertices *= scale;
+    proxy.mesh.vertices *= scale;
+    Points normals = vertex_normals(shape.mesh);
+    shape.full = {std::move(shape.mesh), std::move(normals), std::move(proxy.cell_of_full)};
+    shape.mesh = std::move(proxy.mesh);
+}
+
 // All normals along one line.
 bool is_flat(const PreparedShape& shape) {
     const Eigen::Matrix3d spread = shape.normals.transpose() * shape.basis.mass.asDiagonal() * shape.normals;
@@ -163,8 +177,10 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     progress.reach(0.05);
     shape.mesh = normalized(shape.origin.mesh);
     shape.origin.mesh = {};
+    if (shape.mesh.n_vertices() > tuning.large_mesh) take_proxy(shape, tuning, progress.part(0.05, 0.2));
+    progress.reach(0.2);
     const DistanceGraph graph(shape.mesh);
-    sample(shape, graph, options, tuning, progress.part(0.05, 0.3));
+    sample(shape, graph, options, tuning, progress.part(0.2, 0.3));
     find_extremities(shape, graph, progress);
     progress.reach(0.35);
     shape.laplacian = laplace_beltrami(shape.mesh);
@@ -188,9 +204,13 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
 }
 
 PreparedShape mirrored(PreparedShape shape) {
-    shape.mesh.vertices.col(0) *= -1;
-    shape.mesh.triangles.col(1).swap(shape.mesh.triangles.col(2));
-    shape.normals.col(0) *= -1;
+    const auto reflect = [](TriangleMesh& mesh, Points& normals) {
+        mesh.vertices.col(0) *= -1;
+        mesh.triangles.col(1).swap(mesh.triangles.col(2));
+        normals.col(0) *= -1;
+    };
+    reflect(shape.mesh, shape.normals);
+    if (shape.full) reflect(shape.full->mesh, shape.full->normals);
     shape.orientation.values *= -1;
     return shape;
 }

@@ -14,6 +14,7 @@
 #include <counterpart/spectral/laplacian.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace counterpart::spectral_match {
@@ -27,9 +28,17 @@ struct PreparationOptions {
     std::uint64_t seed = 0;  // not 0: samples begin at a random vertex instead of the farthest one
 };
 
+/// What a shape was before it was matched by a proxy.
+struct FullShape {
+    TriangleMesh mesh;  // in the place and scale of the proxy
+    Points normals;
+    std::vector<Index> cell_of_vertex;  // the proxy's vertex around which each one lies
+};
+
 struct PreparedShape {
-    Preprocessed origin;  // how the mesh below came from the input; its own mesh is moved out
-    TriangleMesh mesh;    // unit area, centered, outward
+    Preprocessed origin;            // how the full mesh came from the input; its own mesh is moved out
+    std::optional<FullShape> full;  // of a large mesh; others are matched as they are
+    TriangleMesh mesh;              // what is matched: unit area, centered, outward
     bool flat = false;
     LaplaceBeltrami laplacian;
     EigenBasis basis;
@@ -47,6 +56,14 @@ struct PreparedShape {
     MatrixF sample_distances;                      // rows of the first samples x V
     std::vector<geodesic::Extremity> extremities;  // most distant first
     MatrixF extremity_distances;                   // extremities x V
+
+    /// Vertices of the full mesh.
+    Index n_full_vertices() const { return full ? full->mesh.n_vertices() : mesh.n_vertices(); }
+    /// That which is matched for an input vertex.
+    Index vertex_of_input(Index input) const {
+        const Index v = origin.matched_of_input[static_cast<std::size_t>(input)];
+        return full ? full->cell_of_vertex[static_cast<std::size_t>(v)] : v;
+    }
 };
 
 constexpr Index min_vertices = 20;

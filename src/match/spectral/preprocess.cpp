@@ -18,8 +18,6 @@
 namespace counterpart::spectral_match {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 bool is_degenerate(MeshView mesh, Index t) {
     const Index a = mesh.triangles(t, 0), b = mesh.triangles(t, 1), c = mesh.triangles(t, 2);
     return a == b || b == c || c == a;

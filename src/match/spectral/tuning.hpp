@@ -14,6 +14,9 @@
 
 namespace counterpart::spectral_match {
 
+/// An index into a container.
+constexpr std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
 /// Stage 1, each shape for itself.
 struct PreparationTuning {
     double min_component_share = 0.1;  ///< of the largest component's area; smaller components are left out
@@ -27,9 +30,11 @@ struct PreparationTuning {
     /// `n_relief_steps`, 0.1, the best of the radii from 0.025 to 0.2.
     double relief_time = 0.0003;
     int n_relief_steps = 4;
-    /// Above this many vertices eigenfunctions are sought in a subspace of local functions, which keeps this
-    /// stage at 7 s of one core for 100 000 vertices.
+    /// Above this many vertices a mesh is matched by a proxy; where that does not do, eigenfunctions are
+    /// sought in a subspace of local functions.
     Index large_mesh = 20000;
+    Index proxy_size = 8000;       ///< vertices
+    double min_proxy_area = 0.85;  ///< of a proxy, as a share of the full surface's
     int min_local_functions = 3000, local_functions_per_eigenfunction = 10;
     /// Of a local function, in radii of a disk that is one sample's share of the area (Magnet and
     /// Ovsjanikov).
