@@ -115,14 +115,21 @@ std::vector<Index> frontier_sizes(const Frontiers& frontiers) {
 }
 
 SequenceMatches find_frontier_sequence(const Adjacency& adjacency, std::span<const Index> candidates,
-                                       std::span<const Index> sizes, bool prefix, int n_threads) {
+                                       std::span<const Index> sizes, bool prefix, int n_threads,
+                                       const Progress& progress) {
+    constexpr std::size_t visits = 2'000'000;  // of vertices, at most, between two reports
+    const std::size_t per_search = std::accumulate(sizes.begin(), sizes.end(), std::size_t{1});
+    const std::size_t block = std::max<std::size_t>(visits / per_search, 32);
     std::vector<Index> agreement(candidates.size());
     with_threads(n_threads, [&] {
-        parallel_for_with(
-            candidates.size(), 64, [&] { return LevelSearch(adjacency.n_vertices()); },
-            [&](LevelSearch& search, std::size_t i) {
-                agreement[i] = search.agreement(adjacency, candidates[i], sizes, prefix);
+        threads::PerThread<LevelSearch> searches([&] { return LevelSearch(adjacency.n_vertices()); });
+        for (std::size_t begin = 0; begin < candidates.size(); begin += block) {
+            report_progress(progress, static_cast<double>(begin) / static_cast<double>(candidates.size()));
+            parallel_for(std::min(block, candidates.size() - begin), 64, [&](std::size_t i) {
+                agreement[begin + i] =
+                    searches.local().agreement(adjacency, candidates[begin + i], sizes, prefix);
             });
+        }
     });
     SequenceMatches matches;
     for (std::size_t i = 0; i < candidates.size(); ++i) {

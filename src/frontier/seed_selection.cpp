@@ -64,6 +64,7 @@ class Selector {
         : source_(source),
           target_(target),
           options_(options),
+          check_(part_of(options.progress, 0, 0)),
           everyone_(to_size(target.adjacency.n_vertices())) {
         std::iota(everyone_.begin(), everyone_.end(), Index{0});
     }
@@ -75,7 +76,7 @@ class Selector {
         const std::vector<Index> sizes = frontier_sizes(frontiers);
         const auto n_near = std::min(sizes.size(), std::size_t{12});
         SequenceMatches near = find_frontier_sequence(
-            target_.adjacency, everyone_, std::span(sizes).first(n_near), true, options_.n_threads);
+            target_.adjacency, everyone_, std::span(sizes).first(n_near), true, options_.n_threads, check_);
         SeedSelection selection;
         selection.source = vertex;
         selection.longest_agreement = near.longest_agreement;
@@ -84,8 +85,8 @@ class Selector {
             order_by_profile(near.vertices, vertex);
             near.vertices.resize(to_size(n_compared));
         } else if (!near.vertices.empty()) {
-            SequenceMatches whole =
-                find_frontier_sequence(target_.adjacency, near.vertices, sizes, false, options_.n_threads);
+            SequenceMatches whole = find_frontier_sequence(target_.adjacency, near.vertices, sizes, false,
+                                                           options_.n_threads, check_);
             selection.longest_agreement = whole.longest_agreement;
             near.vertices = std::move(whole.vertices);
             if (near.vertices.size() <= to_size(n_hashed)) keep_same_subtrees(frontiers, near.vertices);
@@ -128,12 +129,14 @@ class Selector {
     void keep_same_subtrees(const Frontiers& frontiers, std::vector<Index>& targets) const {
         const std::uint64_t wanted = component_hash(source_, frontiers);
         std::erase_if(targets, [&](Index t) {
+            report_progress(check_, 0);
             return component_hash(target_, bfs_frontiers(target_.adjacency, t)) != wanted;
         });
     }
 
     PairSide source_, target_;
     const SeedSelectionOptions& options_;
+    Progress check_;  // told nothing, but may stop the work
     std::vector<Index> everyone_;
 };
 
@@ -173,6 +176,7 @@ SeedSelection select_seeds(MeshView source, const Adjacency& source_adjacency,
         const bool last = i == n_candidates;
         const Index vertex = last ? eccentric_vertex(source_adjacency, fewest.source < 0 ? 0 : fewest.source)
                                   : source_candidates[i];
+        report_progress(options.progress, static_cast<double>(i) / static_cast<double>(n_candidates + 1));
         SeedSelection selection = selector.partners(vertex);
         if (selection.n_alike == 0) return selection;
         if (selection.n_alike == 1) {

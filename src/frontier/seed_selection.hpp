@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -24,6 +25,7 @@ struct SeedSelectionOptions {
     int max_candidates = 12;  ///< source candidates tried before settling for an ambiguous one, at least 1
     int max_targets = 8;      ///< of an ambiguous one, at least 1
     int n_threads = 0;        ///< 0 = all; does not change the result
+    Progress progress{};
 };
 
 /// A vertex of the source mesh and its partner in a target mesh of the same connectivity, both connected. The

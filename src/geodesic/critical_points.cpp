@@ -124,11 +124,12 @@ CriticalPoints critical_points(MeshView mesh, const DistanceGraph& graph,
         throw InvalidInput(fmt::format(
             "critical points need at least 4 samples and a prominence of at least 0, not {} and {}",
             options.n_bases, options.min_prominence));
-    const FarthestPointSamples bases = farthest_point_samples(mesh, graph, {.count = options.n_bases});
+    const FarthestPointSamples bases = farthest_point_samples(
+        mesh, graph, {.count = options.n_bases, .progress = part_of(options.progress, 0, 0.3)});
     const auto n_bases = static_cast<Eigen::Index>(bases.vertices.size());
     geodesic::RunningAverage average(graph.n_vertices());
     Matrix among_bases(n_bases, n_bases);
-    geodesic::for_each_row(graph, bases.vertices, {options.n_threads, options.progress},
+    geodesic::for_each_row(graph, bases.vertices, {options.n_threads, part_of(options.progress, 0.3, 0.7)},
                            [&](Eigen::Index i, const auto& row) {
                                average.add(row);
                                among_bases.row(i) = row(bases.vertices);
@@ -142,7 +143,8 @@ CriticalPoints critical_points(MeshView mesh, const DistanceGraph& graph,
     });
     std::vector<Index> tips;
     for (const Peak& peak : candidates) tips.push_back(peak.vertex);
-    const Matrix from_tips = distance_rows(graph, tips, {options.n_threads, {}});
+    const Matrix from_tips =
+        distance_rows(graph, tips, {options.n_threads, part_of(options.progress, 0.7, 1)});
     const Matrix distances = sample_distances(from_tips, among_bases, candidates, bases.vertices);
     for (const Peak& peak : on_hull_of_embedding(candidates, distances)) {
         result.vertices.push_back(peak.vertex);

@@ -8,25 +8,32 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <numeric>
+#include <thread>
 
 namespace counterpart {
 namespace {
 
-// body(dijkstra, i) for i in [0, count), threaded, with progress after every hundredth of it.
+// body(dijkstra, i) for i in [0, count), threaded. Progress is told between the searches of the calling
+// thread, so that it waits for none of the others.
 template <class Body>
 void for_each_search(const DistanceGraph& graph, std::size_t count, const DistanceOptions& options,
                      const Body& body) {
+    const auto caller = std::this_thread::get_id();
+    std::atomic<std::size_t> n_done = 0;
+    report_progress(options.progress, 0);
     with_threads(options.n_threads, [&] {
-        threads::PerThread<geodesic::Dijkstra> searches([&] { return geodesic::Dijkstra(graph); });
-        const std::size_t block = std::max<std::size_t>(count / 100, 16);
-        for (std::size_t begin = 0; begin < count; begin += block) {
-            report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(count));
-            parallel_for(std::min(block, count - begin), 1,
-                         [&](std::size_t i) { body(searches.local(), begin + i); });
-        }
-        report_progress(options.progress, 1);
+        parallel_for_with(
+            count, 1, [&] { return geodesic::Dijkstra(graph); },
+            [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
+                body(dijkstra, i);
+                const std::size_t done = ++n_done;
+                if (options.progress && done < count && std::this_thread::get_id() == caller)
+                    report_progress(options.progress, static_cast<double>(done) / static_cast<double>(count));
+            });
     });
+    report_progress(options.progress, 1);
 }
 
 }  // namespace

@@ -16,13 +16,16 @@ template <class Use>
 void for_each_row(const DistanceGraph& graph, std::span<const Index> sources, const DistanceOptions& options,
                   const Use& use) {
     constexpr std::size_t block = 32;
+    const auto share = [&](std::size_t n) {
+        return static_cast<double>(n) / static_cast<double>(sources.size());
+    };
     for (std::size_t begin = 0; begin < sources.size(); begin += block) {
-        report_progress(options.progress, static_cast<double>(begin) / static_cast<double>(sources.size()));
-        const Matrix rows = distance_rows(
-            graph, sources.subspan(begin, std::min(block, sources.size() - begin)), {options.n_threads, {}});
+        const std::size_t end = std::min(begin + block, sources.size());
+        const Matrix rows =
+            distance_rows(graph, sources.subspan(begin, end - begin),
+                          {options.n_threads, part_of(options.progress, share(begin), share(end))});
         for (Eigen::Index i = 0; i < rows.rows(); ++i) use(static_cast<Eigen::Index>(begin) + i, rows.row(i));
     }
-    report_progress(options.progress, 1);
 }
 
 /// Mean over rows of distances, leaving out the infinite ones; infinite where all are.

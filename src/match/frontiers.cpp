@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "base/progress_range.hpp"
 #include "match/frontiers/component_match.hpp"
 #include "match/frontiers/components.hpp"
 #include "match/frontiers/side.hpp"
@@ -21,9 +22,10 @@ namespace {
 void require_usable(MeshView source, MeshView target, const FrontiersOptions& options) {
     require_valid(source);
     require_valid(target);
-    if ((options.source_seed < 0) != (options.target_seed < 0))
+    if ((options.source_seed == -1) != (options.target_seed == -1))
         throw InvalidInput("give both seed vertices, one of each mesh, or none");
-    if (options.source_seed >= source.n_vertices() || options.target_seed >= target.n_vertices())
+    if (options.source_seed < -1 || options.target_seed < -1 || options.source_seed >= source.n_vertices() ||
+        options.target_seed >= target.n_vertices())
         throw InvalidInput(fmt::format(
             "source seed {} or target seed {} does not exist: vertices run from 0 to "
             "{} and {}",
@@ -89,7 +91,7 @@ class FrontiersMatch {
         std::vector<frontiers::PlacedPair> pairs{{0, 0, {}}};
         if (group.source.size() > 1)
             pairs = frontiers::place_components(source_, target_, source_parts_, target_parts_, group, image_,
-                                                given_pair(group));
+                                                given_pair(group), frontiers::checking(options_.progress));
         watch_.lap("components");
         for (const frontiers::PlacedPair& pair : pairs) {
             const frontiers::ComponentMesh& ours = source_parts_[group.source[pair.source]];
@@ -122,10 +124,7 @@ class FrontiersMatch {
         const double all = source_.n_vertices(), done = n_done_ / all;
         const double share = static_cast<double>(component.vertices.size()) / all;
         n_done_ += static_cast<double>(component.vertices.size());
-        if (options_.progress)
-            options.progress = [this, done, share](double part) {
-                return options_.progress(done + share * part);
-            };
+        options.progress = part_of(options_.progress, done, done + share);
         return options;
     }
 
@@ -184,9 +183,13 @@ bool have_like_polygons(MeshView source, MeshView target) {
 
 FrontiersResult match_frontiers(MeshView source, MeshView target, const FrontiersOptions& options) {
     require_usable(source, target, options);
-    return with_threads(options.n_threads, [&] {
-        return have_like_polygons(source, target) ? match_coned(source, target, options)
-                                                  : FrontiersMatch(source, target, options).run();
+    return with_progress(options.progress, [&](const ProgressRange& progress) {
+        FrontiersOptions shared = options;
+        shared.progress = progress.callback();  // which any of the threads may call
+        return with_threads(options.n_threads, [&] {
+            return have_like_polygons(source, target) ? match_coned(source, target, shared)
+                                                      : FrontiersMatch(source, target, shared).run();
+        });
     });
 }
 

@@ -9,6 +9,10 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/nearest.hpp>
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 namespace counterpart {
 namespace {
 
@@ -38,6 +42,12 @@ NearestResult match_nearest(MeshView source, MeshView target, const NearestOptio
             image[v] = neighbors.closest(moved.row(static_cast<Eigen::Index>(v))).index;
         });
     });
+    // Only where squares of lengths overflow is no vertex the nearest.
+    if (const auto lost = std::find(image.begin(), image.end(), -1); lost != image.end())
+        throw UnsuitableMesh(fmt::format(
+            "source vertex {} is too far from the target to measure: scale the meshes down, or look for a "
+            "vertex that is far away by mistake",
+            lost - image.begin()));
     return {VertexMap(std::move(image), target.n_vertices())};
 }
 

@@ -249,7 +249,7 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
     counterpart::require_valid(source);
     counterpart::require_valid(target);
     require_valid(options, source, target);
-    return spectral_match::with_progress(options.progress, [&](const ProgressRange& progress) {
+    return with_progress(options.progress, [&](const ProgressRange& progress) {
         return with_threads(options.n_threads,
                             [&] { return PartialMatching(source, target, options, progress).run(); });
     });

@@ -62,8 +62,10 @@ void require_valid(const SpectralOptions& options, std::size_t n_source, std::si
 }  // namespace
 
 SpectralShape::SpectralShape(MeshView mesh, const SpectralShapeOptions& options) {
-    shape_ = with_threads(options.n_threads, [&, shape = checked(options)] {
-        return std::make_shared<const PreparedShape>(prepare(mesh, shape));
+    shape_ = with_progress(options.progress, [&, shape = checked(options)](const ProgressRange& progress) {
+        return with_threads(options.n_threads, [&] {
+            return std::make_shared<const PreparedShape>(prepare(mesh, shape, {}, progress));
+        });
     });
 }
 

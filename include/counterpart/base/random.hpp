@@ -9,7 +9,7 @@
 namespace counterpart {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): one seed gives the same sequence with every compiler and standard
-/// library, which the distributions of <random> do not guarantee.
+/// library, which the distributions of `<random>` do not guarantee.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}

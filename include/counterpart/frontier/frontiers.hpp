@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/progress.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <span>
@@ -63,7 +64,8 @@ struct SequenceMatches {
 /// Each search stops at the first frontier that differs, so that scanning all vertices of an irregular mesh
 /// costs little more than O(V).
 SequenceMatches find_frontier_sequence(const Adjacency& adjacency, std::span<const Index> candidates,
-                                       std::span<const Index> sizes, bool prefix = false, int n_threads = 0);
+                                       std::span<const Index> sizes, bool prefix = false, int n_threads = 0,
+                                       const Progress& progress = {});
 
 /// The connected components ("loops") of each frontier, under edges between its own vertices.
 struct FrontierLoops {

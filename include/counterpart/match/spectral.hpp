@@ -25,6 +25,8 @@ struct SpectralShapeOptions {
     /// Good maps hardly depend on it; a map that changes with the seed is doubtful.
     std::uint64_t seed = 0;
     int n_threads = 0;  ///< 0 = all; does not change the result
+    /// Called from the calling thread a few times a second; not by match_spectral, which has its own.
+    Progress progress{};
 };
 
 struct SpectralOptions;
@@ -35,7 +37,7 @@ struct SpectralResult;
 class SpectralShape {
   public:
     /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 20 distinct vertex
-    /// positions, and options out of range. About O(V^1.2 basis_size) up to 20 000 vertices; above,
+    /// positions, and options out of range; Canceled. About O(V^1.2 basis_size) up to 20 000 vertices; above,
     /// O(V log V).
     explicit SpectralShape(MeshView mesh, const SpectralShapeOptions& options = {});
 

@@ -81,12 +81,13 @@ Misfit misfit(const FrontierSide& a, const FrontierSide& b, const std::vector<In
 }
 
 // The critical points of a surface, the most prominent first; small components do not need them.
-std::vector<Index> candidates_of(const ComponentMesh& component, const FrontiersOptions& options) {
+std::vector<Index> candidates_of(const ComponentMesh& component, int n_threads, const Progress& progress) {
     constexpr std::size_t small = 200;
     if (component.vertices.size() < small || component.mesh.n_triangles() == 0) return {};
     CriticalPointOptions critical;
     critical.n_bases = 16;  // the choice is verified, so a coarse sample will do
-    critical.n_threads = options.n_threads;
+    critical.n_threads = n_threads;
+    critical.progress = progress;
     return critical_points(component.mesh, DistanceGraph(component.mesh), critical).vertices;
 }
 
@@ -94,10 +95,14 @@ frontier::SeedSelection sources_of(const ComponentMesh& source, const ComponentM
                                    const FrontiersOptions& options, std::pair<Index, Index> given,
                                    Stopwatch& watch) {
     if (given.first >= 0) return {given.first, {given.second}, 1, SeedTest::given};
-    const std::vector<Index> ours = candidates_of(source, options), theirs = candidates_of(target, options);
+    const std::vector<Index> ours =
+                                 candidates_of(source, options.n_threads, part_of(options.progress, 0, 0.3)),
+                             theirs = candidates_of(target, options.n_threads,
+                                                    part_of(options.progress, 0.3, 0.6));
     watch.lap("critical points");
     frontier::SeedSelectionOptions selection_options;
     selection_options.n_threads = options.n_threads;
+    selection_options.progress = part_of(options.progress, 0.6, 1);
     frontier::SeedSelection selection = frontier::select_seeds(
         source.mesh, source.adjacency, ours, target.mesh, target.adjacency, theirs, selection_options);
     if (selection.targets.empty())
@@ -146,18 +151,25 @@ ComponentImage match_component(const ComponentMesh& source, const ComponentMesh&
                                const FrontiersOptions& options, std::pair<Index, Index> given,
                                const Eigen::Matrix3d* rotation, Stopwatch& watch) {
     if (source.vertices.size() == 1) return {{0}, 0, {1, 1, 0, 0, SeedTest::eccentric, 1}};
-    const frontier::SeedSelection selection = sources_of(source, target, options, given, watch);
+    const Progress& progress = options.progress;
+    FrontiersOptions run = options;
+    run.progress = part_of(progress, 0, 0.4);
+    const frontier::SeedSelection selection = sources_of(source, target, run, given, watch);
     watch.lap("source selection");
     ComponentImage best;
     std::optional<Misfit> best_misfit;
-    FrontiersOptions run = options;
+    const auto n_targets = static_cast<double>(selection.targets.size());
+    double n_tried = 0;
     for (const Index candidate : selection.targets) {
+        run.progress =
+            part_of(progress, 0.4 + 0.6 * n_tried / n_targets, 0.4 + 0.6 * (n_tried + 1) / n_targets);
+        ++n_tried;
+        report_progress(run.progress, 0);
         const SidePair sides(source, target, selection.source, candidate, options.edge_splits);
         require_same_frontiers(sides.a(), sides.b());
         watch.lap("frontiers");
         SideMatch match = options.paper ? match_whole_frontiers(sides.a(), sides.b(), run)
                                         : match_frontiers_in_sequence(sides.a(), sides.b(), run, rotation);
-        run.progress = {};  // the others, if any, are tried in silence: the fraction must not fall
         std::optional<Misfit> fit;
         if (selection.targets.size() > 1) fit = misfit(sides.a(), sides.b(), match.image, rotation);
         watch.lap("matching");

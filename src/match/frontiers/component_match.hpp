@@ -27,7 +27,7 @@ std::vector<PlacedPair> place_components(MeshView source, MeshView target,
                                          const std::vector<ComponentMesh>& source_parts,
                                          const std::vector<ComponentMesh>& target_parts,
                                          const ComponentGroup& group, const std::vector<Index>& matched,
-                                         std::pair<Index, Index> given);
+                                         std::pair<Index, Index> given, const Progress& progress);
 
 struct ComponentImage {
     std::vector<Index> image;  ///< in the component's vertex indices
@@ -36,7 +36,8 @@ struct ComponentImage {
 };
 
 /// Selects seed vertices (unless `given` has them, in the component's indices) and matches the frontiers.
-/// `rotation`: of the target against the source, null if unknown.
+/// `rotation`: of the target against the source, null if unknown. `options.progress` is called from any
+/// thread.
 ComponentImage match_component(const ComponentMesh& source, const ComponentMesh& target,
                                const FrontiersOptions& options, std::pair<Index, Index> given,
                                const Eigen::Matrix3d* rotation, Stopwatch& watch);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "base/progress_range.hpp"
 #include "match/frontiers/side.hpp"
 
 #include <counterpart/align/transform.hpp>
@@ -52,9 +53,11 @@ struct PairSide {
         return view;
     }
 
-    std::vector<View> views(Index given) const {
+    std::vector<View> views(Index given, const Progress& progress) const {
         if (given >= 0) return {view_from(given)};
-        std::vector<Index> tips = critical_points(mesh, graph).vertices;
+        CriticalPointOptions critical;
+        critical.progress = progress;
+        std::vector<Index> tips = critical_points(mesh, graph, critical).vertices;
         if (tips.size() > most_candidates) tips.resize(most_candidates);
         std::vector<View> result;
         for (const Index tip : tips) result.push_back(view_from(tip));
@@ -116,9 +119,10 @@ void require_usable(MeshView source, MeshView target, const GeodesicFrontiersOpt
     require_valid(target);
     if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
         throw InvalidInput("a mesh has no area: all its triangles are degenerate");
-    if ((options.source_seed < 0) != (options.target_seed < 0))
+    if ((options.source_seed == -1) != (options.target_seed == -1))
         throw InvalidInput("give both seed vertices, one of each mesh, or none");
-    if (options.source_seed >= source.n_vertices() || options.target_seed >= target.n_vertices())
+    if (options.source_seed < -1 || options.target_seed < -1 || options.source_seed >= source.n_vertices() ||
+        options.target_seed >= target.n_vertices())
         throw InvalidInput("a seed vertex does not exist");
     if (options.n_bands < 0 || options.n_bands > 1'000'000 || !(options.deformation_threshold >= 0))
         throw InvalidInput("n_bands must be from 0 to 1000000 and deformation_threshold at least 0");
@@ -136,7 +140,8 @@ struct Start {
 Start choose_start(const PairSide& a, const PairSide& b, const GeodesicFrontiersOptions& options,
                    Index n_bands, double unit) {
     constexpr double about = 0.02;
-    const std::vector<View> sources = a.views(options.source_seed), targets = b.views(options.target_seed);
+    const std::vector<View> sources = a.views(options.source_seed, part_of(options.progress, 0, 0.3)),
+                            targets = b.views(options.target_seed, part_of(options.progress, 0.3, 0.6));
     double least = std::numeric_limits<double>::infinity();
     for (const View& x : sources)
         for (const View& y : targets) least = std::min(least, difference(x.profile, y.profile));
@@ -145,6 +150,7 @@ Start choose_start(const PairSide& a, const PairSide& b, const GeodesicFrontiers
         for (const View& y : targets) {
             const double unlike = difference(x.profile, y.profile);
             if (unlike > least + about) continue;
+            report_progress(options.progress, 0.6);
             Start start{unlike,  Bands(a, x, n_bands, unit), Bands(b, y, n_bands, unit), {}, x.source,
                         y.source};
             start.fit = fit_centers(start.source, start.target, n_bands);
@@ -175,20 +181,20 @@ GeodesicFrontiersResult match(MeshView source, MeshView target, const GeodesicFr
     result.n_bands = n;
     watch.lap("frontiers");
     std::vector<Index> image(to_size(source.n_vertices()), VertexMap::unmatched);
+    const Progress check = frontiers::checking(options.progress);
     parallel_for(to_size(std::min(n, ours.frontiers.count())), 1, [&](std::size_t k) {
         const auto mine = ours.frontiers[static_cast<Index>(k)],
                    other = theirs.at_level(static_cast<Index>(k));
         if (mine.empty()) return;
         const Points x = frontiers::rows_of(ours.points, mine), y = frontiers::rows_of(theirs.points, other);
-        const Points aligned = frontiers::align_whole_frontier(x, y, options.deformation_threshold);
+        const Points aligned = frontiers::align_whole_frontier(x, y, options.deformation_threshold, check);
         const std::vector<Index> chosen =
-            frontiers::pair_up(frontiers::pairing_cost(mine, aligned, other, y, {}), options.pairing);
+            frontiers::pair_up(frontiers::pairing_cost(mine, aligned, other, y, {}), options.pairing, check);
         for (std::size_t i = 0; i < mine.size(); ++i)
             if (chosen[i] >= 0) image[to_size(mine[i])] = other[to_size(chosen[i])];
     });
     result.target_from_source = VertexMap(std::move(image), target.n_vertices());
     watch.lap("matching");
-    report_progress(options.progress, 1);
     result.stages = watch.stages();
     return result;
 }
@@ -198,7 +204,11 @@ GeodesicFrontiersResult match(MeshView source, MeshView target, const GeodesicFr
 GeodesicFrontiersResult match_geodesic_frontiers(MeshView source, MeshView target,
                                                  const GeodesicFrontiersOptions& options) {
     require_usable(source, target, options);
-    return with_threads(options.n_threads, [&] { return match(source, target, options); });
+    return with_progress(options.progress, [&](const ProgressRange& progress) {
+        GeodesicFrontiersOptions shared = options;
+        shared.progress = progress.callback();  // which any of the threads may call
+        return with_threads(options.n_threads, [&] { return match(source, target, shared); });
+    });
 }
 
 }  // namespace counterpart

@@ -43,6 +43,7 @@ class LoopMatcher {
         : a_(a),
           b_(b),
           options_(options),
+          check_(checking(options.progress)),
           state_(state),
           loop_(loops.source),
           ours_(a.loops[loops.source]),
@@ -195,7 +196,7 @@ class LoopMatcher {
         for (int round = 0; round < n_rounds; ++round) {
             aligned = motion(x);
             cost = pairing_cost(open_a_, aligned, open_b_, y, options_.metric) + penalty;
-            std::vector<Index> next = pair_up(cost, Pairing::optimal);
+            std::vector<Index> next = pair_up(cost, Pairing::optimal, check_);
             if (next == chosen) break;
             chosen = std::move(next);
             motion = fit(chosen);
@@ -204,7 +205,7 @@ class LoopMatcher {
             mean_squared(aligned, y, chosen) > options_.deformation_threshold) {
             const Points bent = bend(aligned, y, mean_squared(aligned, y, chosen));
             const Matrix bent_cost = pairing_cost(open_a_, bent, open_b_, y, options_.metric) + penalty;
-            std::vector<Index> bent_chosen = pair_up(bent_cost, Pairing::optimal);
+            std::vector<Index> bent_chosen = pair_up(bent_cost, Pairing::optimal, check_);
             // The guard: a deformation must not break edges that the rigid motion keeps.
             if (kept_edges(bent_chosen) >= kept_edges(chosen)) {
                 chosen = std::move(bent_chosen);
@@ -212,7 +213,7 @@ class LoopMatcher {
                 motion = fit(chosen);
             }
         }
-        if (options_.pairing != Pairing::optimal) chosen = pair_up(cost, options_.pairing);
+        if (options_.pairing != Pairing::optimal) chosen = pair_up(cost, options_.pairing, check_);
         assign(chosen);
     }
 
@@ -241,11 +242,12 @@ class LoopMatcher {
         return penalty;
     }
 
-    static Points bend(PointsView aligned, PointsView y, double mean_squared) {
+    Points bend(PointsView aligned, PointsView y, double mean_squared) const {
         TpsRpmOptions rpm;
         rpm.initial_temperature = 10 * mean_squared;
         rpm.annealing_rate = 0.9;
         rpm.iterations_per_temperature = 2;
+        rpm.progress = check_;
         return tps_rpm(aligned, y, rpm).transformed;
     }
 
@@ -282,6 +284,7 @@ class LoopMatcher {
 
     const FrontierSide &a_, &b_;
     const FrontiersOptions& options_;
+    Progress check_;
     SequenceState& state_;
     Index loop_;
     std::span<const Index> ours_, theirs_;

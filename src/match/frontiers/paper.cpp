@@ -24,13 +24,15 @@ double closest_sum(PointsView aligned, PointsView target) {
 
 }  // namespace
 
-Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold) {
+Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold,
+                            const Progress& progress) {
     const Points centered = align_centroids(x, y)(x);
     const double sum = closest_sum(centered, y);
     const auto n = static_cast<double>(x.rows());
     if (x.rows() < 4 || sum <= deformation_threshold * n) return centered;
     TpsRpmOptions rpm;
     rpm.initial_temperature = 10 * sum;
+    rpm.progress = progress;
     return tps_rpm(centered, y, rpm).transformed;
 }
 
@@ -42,12 +44,13 @@ frontiers::SideMatch match_whole_frontiers(const FrontierSide& source, const Fro
     for (Index k = 0; k < n; ++k) by_size[to_size(k)] = k;
     std::stable_sort(by_size.begin(), by_size.end(),
                      [&](Index a, Index b) { return source.frontiers.size(a) > source.frontiers.size(b); });
+    const Progress check = checking(options.progress);
     const auto match_frontier = [&](Index k) {
         const auto ours = source.frontiers[k], theirs = target.frontiers[k];
         const Points x = rows_of(source.points, ours), y = rows_of(target.points, theirs);
-        const Points aligned = align_whole_frontier(x, y, options.deformation_threshold);
+        const Points aligned = align_whole_frontier(x, y, options.deformation_threshold, check);
         const std::vector<Index> chosen =
-            pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing);
+            pair_up(pairing_cost(ours, aligned, theirs, y, options.metric), options.pairing, check);
         for (std::size_t v = 0; v < ours.size(); ++v)
             if (chosen[v] >= 0) match.image[to_size(ours[v])] = theirs[to_size(chosen[v])];
     };

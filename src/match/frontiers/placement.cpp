@@ -100,7 +100,7 @@ std::vector<Index> pair_greedily(const std::vector<Moments>& ours, const std::ve
 }
 
 std::vector<Index> pair_by_moments(const std::vector<Moments>& ours, const std::vector<Moments>& theirs,
-                                   std::pair<Index, Index> given) {
+                                   std::pair<Index, Index> given, const Progress& progress) {
     if (ours.size() > max_assignment) return pair_greedily(ours, theirs);
     Matrix cost(static_cast<Eigen::Index>(ours.size()), static_cast<Eigen::Index>(theirs.size()));
     for (std::size_t i = 0; i < ours.size(); ++i)
@@ -114,7 +114,7 @@ std::vector<Index> pair_by_moments(const std::vector<Moments>& ours, const std::
         cost.col(given.second).setConstant(forbidden);
         cost(given.first, given.second) = 0;
     }
-    return pair_up(cost, Pairing::optimal);
+    return pair_up(cost, Pairing::optimal, progress);
 }
 
 }  // namespace
@@ -123,11 +123,12 @@ std::vector<PlacedPair> place_components(MeshView source, MeshView target,
                                          const std::vector<ComponentMesh>& source_parts,
                                          const std::vector<ComponentMesh>& target_parts,
                                          const ComponentGroup& group, const std::vector<Index>& matched,
-                                         std::pair<Index, Index> given) {
+                                         std::pair<Index, Index> given, const Progress& progress) {
     const Surroundings surroundings(source, target, matched);
     std::vector<Moments> ours, theirs;
     std::vector<PlacedPair> pairs;
     for (const std::size_t part : group.source) {
+        report_progress(progress, 0);
         PointsView points = source_parts[part].mesh.vertices;
         const Similarity motion = surroundings.at_point(points.colwise().mean());
         ours.emplace_back(motion(points));
@@ -135,7 +136,7 @@ std::vector<PlacedPair> place_components(MeshView source, MeshView target,
         if (surroundings.known()) pairs.back().rotation = motion.rotation;
     }
     for (const std::size_t part : group.target) theirs.emplace_back(target_parts[part].mesh.vertices);
-    const std::vector<Index> chosen = pair_by_moments(ours, theirs, given);
+    const std::vector<Index> chosen = pair_by_moments(ours, theirs, given, progress);
     for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].target = to_size(chosen[i]);
     return pairs;
 }

@@ -32,7 +32,7 @@ class SequenceMatcher {
         const Index n_levels = a_.frontiers.count(), n_start = std::min(n_levels, n_start_levels + 1);
         start(prior != nullptr ? *prior : first_rotation(n_start));
         for (Index k = 1; k < n_levels; ++k) {
-            if (k % 8 == 0) report_progress(options_.progress, static_cast<double>(k) / n_levels);
+            report_progress(options_.progress, static_cast<double>(k) / n_levels);
             match_level(k, true);
         }
         SideMatch match{std::move(state_.image)};
@@ -63,6 +63,7 @@ class SequenceMatcher {
         const Eigen::Matrix3d onto =
             numerics::shortest_rotation(axis, start_axis(b_, n_start)).toRotationMatrix();
         for (int spin = 0; spin < n_spins; ++spin) {
+            report_progress(options_.progress, 0);
             const double angle = 2 * std::numbers::pi * spin / n_spins;
             const Eigen::Matrix3d rotation = onto * Eigen::AngleAxisd(angle, axis).toRotationMatrix();
             start(rotation);

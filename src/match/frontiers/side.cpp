@@ -50,9 +50,9 @@ Points rows_of(PointsView points, std::span<const Index> rows) {
     return result;
 }
 
-std::vector<Index> pair_up(const Matrix& cost, Pairing pairing) {
+std::vector<Index> pair_up(const Matrix& cost, Pairing pairing, const Progress& progress) {
     if (cost.cols() == 0) return std::vector<Index>(static_cast<std::size_t>(cost.rows()), -1);
-    if (pairing == Pairing::optimal) return numerics::solve_assignment(cost);
+    if (pairing == Pairing::optimal) return numerics::solve_assignment(cost, progress);
     std::vector<Index> result(static_cast<std::size_t>(cost.rows()));
     for (Index i = 0; i < cost.rows(); ++i) result[to_size(i)] = closest_in(cost.row(i));
     if (pairing == Pairing::closest) return result;

@@ -40,7 +40,10 @@ struct MatchedPairs {
 Points rows_of(PointsView points, std::span<const Index> rows);
 
 /// One target index per row, -1 for none.
-std::vector<Index> pair_up(const Matrix& cost, Pairing pairing);
+std::vector<Index> pair_up(const Matrix& cost, Pairing pairing, const Progress& progress = {});
+
+/// For work of which no part is told, but which may be stopped: a callback that stays at the beginning.
+inline Progress checking(const Progress& progress) { return part_of(progress, 0, 0); }
 
 /// cost(i, j) of pairing source vertex i at aligned(i) with target vertex j: squared distance or the metric.
 Matrix pairing_cost(std::span<const Index> source, PointsView aligned, std::span<const Index> target,
@@ -48,7 +51,8 @@ Matrix pairing_cost(std::span<const Index> source, PointsView aligned, std::span
 
 /// x moved onto y as published: centroids aligned, then TPS-RPM from T = 10 S where S, the sum
 /// of the squared distances to the closest points, is above the threshold per point. In mean edge lengths.
-Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold);
+Points align_whole_frontier(PointsView x, PointsView y, double deformation_threshold,
+                            const Progress& progress);
 
 /// Throws InvalidInput at the first frontier whose sizes, or numbers of loops, differ.
 void require_same_frontiers(const FrontierSide& source, const FrontierSide& target);
@@ -58,7 +62,7 @@ struct SideMatch {
     std::vector<Index> image;
     Index n_decided_by_position = 0;
 };
-/// As published.
+/// As published. Both call options.progress from any thread.
 SideMatch match_whole_frontiers(const FrontierSide& source, const FrontierSide& target,
                                 const FrontiersOptions& options);
 /// Level by level, each guided by the previous ones. `prior`: rotation of the target against the source where

@@ -4,10 +4,10 @@
 // Step 1: everything that is computed for one surface before the other is known, in a common unit of length.
 #pragma once
 
+#include "base/progress_range.hpp"
 #include "descriptor/shot.hpp"
 #include "match/partial/tuning.hpp"
 #include "match/spectral/preprocess.hpp"
-#include "match/spectral/progress_range.hpp"
 
 #include <counterpart/geodesic/distance_graph.hpp>
 
@@ -19,7 +19,6 @@
 namespace counterpart::partial_match {
 
 using numerics::MatrixF;
-using spectral_match::ProgressRange;
 
 /// Stands for "in another component".
 constexpr float unreachable = 10;

@@ -4,9 +4,9 @@
 // Stage 1: everything that is computed for one surface before the other is known. All at unit area.
 #pragma once
 
+#include "base/progress_range.hpp"
 #include "geodesic/extremities.hpp"
 #include "match/spectral/preprocess.hpp"
-#include "match/spectral/progress_range.hpp"
 #include "spectral/bijective_zoom_out.hpp"
 #include "spectral/orientation.hpp"
 

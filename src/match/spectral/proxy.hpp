@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/progress_range.hpp"
+#include "base/progress_range.hpp"
 #include "match/spectral/tuning.hpp"
 
 #include <counterpart/mesh/triangle_mesh.hpp>

@@ -50,5 +50,13 @@ TEST(MatchAssignment, LeavesOutWhatIsTooMany) {
     EXPECT_EQ(count_matched(match_assignment(small, large).target_from_source), small.n_vertices());
 }
 
+TEST(MatchNearest, RefusesWhatIsTooFarToMeasure) {
+    const TriangleMesh mesh = make_icosphere(1);
+    TriangleMesh stray = mesh;
+    stray.vertices(3, 0) = 1e200;
+    EXPECT_THROW(match_nearest(stray, mesh), UnsuitableMesh);
+    EXPECT_THROW(match_nearest(mesh, stray), UnsuitableMesh);
+}
+
 }  // namespace
 }  // namespace counterpart

@@ -6,8 +6,11 @@
 #include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -75,6 +78,8 @@ TEST(MatchFrontiers, RefusesBadSourcesAndNamesTheLevel) {
     options.source_seed = 3;
     EXPECT_NE(refusal(grid, grid, options).find("both"), std::string::npos);
     options.target_seed = 99;
+    EXPECT_NE(refusal(grid, grid, options).find("does not exist"), std::string::npos);
+    options.target_seed = -2;
     EXPECT_NE(refusal(grid, grid, options).find("does not exist"), std::string::npos);
     options.target_seed = 50;
     EXPECT_NE(refusal(grid, grid, options).find("level 1"), std::string::npos);
@@ -207,10 +212,30 @@ TEST(MatchFrontiers, GivenSourcesChooseAmongComponentsAlike) {
               std::string::npos);
 }
 
-TEST(MatchFrontiers, CanBeStopped) {
+TEST(MatchFrontiers, CanBeStoppedInEveryStage) {
+    const TriangleMesh mesh = make_torus(60, 30);  // whose regular loops positions must decide
+    for (const bool paper : {false, true}) {
+        for (const double limit : {0.0, 0.3, 0.5, 0.9}) {
+            FrontiersOptions options;
+            options.paper = paper;
+            options.progress = [&](double fraction) { return fraction <= limit; };
+            EXPECT_THROW(match_frontiers(mesh, mesh, options), Canceled) << limit;
+        }
+    }
+}
+
+TEST(MatchFrontiers, TellsItsProgressFromTheCallingThread) {
+    std::vector<double> fractions;
+    const auto caller = std::this_thread::get_id();
     FrontiersOptions options;
-    options.progress = [](double) { return false; };
-    EXPECT_THROW(match_frontiers(irregular_grid(30, 20, 1), irregular_grid(30, 20, 1), options), Canceled);
+    options.progress = [&](double fraction) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        fractions.push_back(fraction);
+        return true;
+    };
+    match_frontiers(make_torus(24, 12), make_torus(24, 12), options);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1);
 }
 
 }  // namespace

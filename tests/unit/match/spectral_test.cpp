@@ -204,6 +204,9 @@ TEST(MatchSpectral, CanBeStoppedInEveryStage) {
         const SpectralOptions options{.progress = [&](double fraction) { return fraction < limit; }};
         EXPECT_THROW(match_spectral(shape, shape, options), Canceled) << limit;
         EXPECT_THROW(match_spectral(mesh, mesh, options, small), Canceled) << limit;
+        SpectralShapeOptions shape_options = small;
+        shape_options.progress = options.progress;
+        EXPECT_THROW(SpectralShape(mesh, shape_options), Canceled) << limit;
     }
 }
 

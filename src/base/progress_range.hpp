@@ -11,7 +11,7 @@
 #include <chrono>
 #include <future>
 
-namespace counterpart::spectral_match {
+namespace counterpart::base {
 
 /// Written by the threads that work, read by the one that reports.
 struct WorkState {
@@ -86,4 +86,8 @@ auto with_progress(const Progress& progress, const Work& work) {
     return result;
 }
 
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart::base
+
+namespace counterpart {
+using namespace base;  // what every module is written with
+}

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/progress_range.hpp"
+#include "base/progress_range.hpp"
 
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-namespace counterpart::spectral_match {
+namespace counterpart::base {
 namespace {
 
-TEST(SpectralProgressRange, PartsAndStepsAreShares) {
+TEST(ProgressRange, PartsAndStepsAreShares) {
     WorkState state;
     const ProgressRange second_half = ProgressRange(state).part(0.5, 1);
     second_half.reach(0.5);
@@ -19,14 +19,14 @@ TEST(SpectralProgressRange, PartsAndStepsAreShares) {
     EXPECT_DOUBLE_EQ(state.fraction, 0.9375);
 }
 
-TEST(SpectralProgressRange, NeverDecreases) {
+TEST(ProgressRange, NeverDecreases) {
     WorkState state;
     ProgressRange(state).reach(0.6);
     ProgressRange(state).reach(0.2);
     EXPECT_DOUBLE_EQ(state.fraction, 0.6);
 }
 
-TEST(SpectralProgressRange, ReportsFromTheCallingThreadAndEndsWithOne) {
+TEST(ProgressRange, ReportsFromTheCallingThreadAndEndsWithOne) {
     std::vector<double> fractions;
     const auto caller = std::this_thread::get_id();
     bool is_caller = true;
@@ -49,7 +49,7 @@ TEST(SpectralProgressRange, ReportsFromTheCallingThreadAndEndsWithOne) {
     EXPECT_EQ(fractions.back(), 1);
 }
 
-TEST(SpectralProgressRange, StopsTheWorkWhenTheCallbackSaysSoOrThrows) {
+TEST(ProgressRange, StopsTheWorkWhenTheCallbackSaysSoOrThrows) {
     bool has_ended = false;
     const auto work = [&](const ProgressRange& progress) {
         struct AtEnd {
@@ -66,11 +66,11 @@ TEST(SpectralProgressRange, StopsTheWorkWhenTheCallbackSaysSoOrThrows) {
     EXPECT_TRUE(has_ended);
 }
 
-TEST(SpectralProgressRange, PassesOnWhatTheWorkThrows) {
+TEST(ProgressRange, PassesOnWhatTheWorkThrows) {
     const auto fails = [](const ProgressRange&) -> int { throw std::logic_error("no"); };
     EXPECT_THROW(with_progress([](double) { return true; }, fails), std::logic_error);
     EXPECT_THROW(with_progress({}, fails), std::logic_error);
 }
 
 }  // namespace
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart::base
