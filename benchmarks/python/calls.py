@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: MIT
 """calls.py [REPETITIONS]: what the Python package costs besides the work. Prints one JSON line per measurement.
 
-Importing, an empty call, memory beyond the result, and the throughput of eight threads against that of one. Other work
-on the machine only makes the figures worse, so each is the best of the repetitions; the median is beside it.
+Importing, an empty call, memory beyond the result, the throughput of eight threads against that of one, and how soon a
+call ends that is canceled. Other work on the machine only makes the figures worse, so each is the best of the
+repetitions; the median is beside it.
 """
 
 import json
 import pathlib
+import random
 import statistics
 import subprocess
 import sys
@@ -88,6 +90,34 @@ def eight_threads(repetitions: int) -> dict[str, float]:
     return {"throughput_ratio": max(rows), "median_throughput_ratio": statistics.median(rows)}
 
 
+def cancel_seconds(repetitions: int) -> dict[str, float]:
+    """From the wish to stop, at a random time of the work on 100 000 vertices, until it has: the longest."""
+    body = counterpart.subdivide(counterpart.make_body(3))
+    while body.n_vertices < 100_000:
+        body = counterpart.subdivide(body)
+    torus = counterpart.make_torus(400, 250)  # regular: here the frontiers search longest
+    calls = {
+        "SpectralShape": lambda report: counterpart.SpectralShape(body, progress=report),
+        "match_spectral": lambda report: counterpart.match_spectral(body, body, progress=report),
+        "match_frontiers": lambda report: counterpart.match_frontiers(body, body, progress=report),
+        "match_frontiers, torus": lambda report: counterpart.match_frontiers(torus, torus, progress=report),
+    }
+    draw = random.Random(1)
+    longest = {}
+    for name, call in calls.items():
+        start = time.perf_counter()
+        call(None)
+        whole = time.perf_counter() - start
+        longest[name] = 0.0
+        for _ in range(3 * repetitions):
+            wish = time.perf_counter() + draw.uniform(0, whole)
+            try:
+                call(lambda fraction, wish=wish: time.perf_counter() < wish)
+            except counterpart.Canceled:
+                longest[name] = max(longest[name], time.perf_counter() - wish)
+    return longest
+
+
 def main() -> None:
     repetitions = int(sys.argv[1]) if len(sys.argv) > 1 else 7
     for what, also in (("import", ""), ("import where numpy is loaded", ", numpy")):
@@ -98,6 +128,7 @@ def main() -> None:
         json.dumps({"measurement": "a call on 69 MB of arrays", "megabytes": megabytes_beyond_the_result()}), flush=True
     )
     print(json.dumps({"measurement": "eight threads against one", **eight_threads(repetitions)}), flush=True)
+    print(json.dumps({"measurement": "seconds until canceled", **cancel_seconds(repetitions)}), flush=True)
 
 
 if __name__ == "__main__":

@@ -17,8 +17,16 @@ ProgressLike = bool | Callable[[float], Any] | None
 """
 
 
+Report = Callable[[float], Any] | None
+
+
+def part_of(report: Report, begin: float, end: float) -> Report:
+    """For one stage of a longer work: its 0 .. 1 is ``begin`` .. ``end`` of the whole."""
+    return None if report is None else lambda fraction: report(begin + (end - begin) * fraction)
+
+
 @contextmanager
-def reporting(progress: ProgressLike, what: str) -> Iterator[Callable[[float], Any] | None]:
+def reporting(progress: ProgressLike, what: str) -> Iterator[Report]:
     """The callback to hand to the library. Calls come at most 20 times a second."""
     if progress is None or progress is False:
         yield None

@@ -260,13 +260,16 @@ class Evaluation(Result):
     """The fraction of the matched pairs with an error up to each threshold."""
 
 
-def truth_pairs(truth: Any) -> IntArray:
+def truth_pairs(truth: Any, source: _core.Mesh) -> IntArray:
     """Pairs (source vertex, target vertex) from a map with -1 for unknown, or pairs."""
     value = _opened(truth)
     array = np.asarray(value)
     if array.ndim == 2:
         return integers(array, "truth", (-1, 2))
-    image = integers(array, "truth", (-1,))
+    image = _checked(integers(array, "truth", (-1,)), source)
+    if image.size and image.min() < -1:
+        first = int(np.argmax(image < -1))
+        raise InvalidInput(f"truth: entry {first} is {image[first]}; a vertex, or -1 for none, is needed")
     known = np.flatnonzero(image >= 0).astype(np.int32)
     return np.ascontiguousarray(np.column_stack([known, image[known]]), np.int32)
 
@@ -313,13 +316,14 @@ def evaluate(
     >>> counterpart.evaluate(a, b, counterpart.match(a, b), truth).mean_error
     0.0
     """
+    source, target = core_mesh(source), core_mesh(target)
     with reporting(progress, "measuring") as report:
         return Evaluation(
             **_core.evaluate(
-                core_mesh(source),
-                core_mesh(target),
+                source,
+                target,
                 vertex_map_of(target_from_source),
-                truth_pairs(truth),
+                truth_pairs(truth, source),
                 shortcuts,
                 n_base_vertices,
                 floats(thresholds, "thresholds", (-1,)),

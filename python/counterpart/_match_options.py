@@ -25,7 +25,10 @@ def with_fields(options: _Options, **fields: Any) -> _Options:
     """The options with these fields set; None leaves a field as it is."""
     for name, value in fields.items():
         if value is not None:
-            setattr(options, name, value)
+            try:
+                setattr(options, name, value)
+            except TypeError:
+                raise InvalidInput(f"{name} cannot be {value!r}") from None
     return options
 
 

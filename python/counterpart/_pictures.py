@@ -178,7 +178,7 @@ def view(
     true = np.empty(0, np.int32)
     errors: list[FloatArray] = []
     if truth is not None:
-        pairs = truth_pairs(truth)
+        pairs = truth_pairs(truth, ends[0])
         for image in images:
             found = _core.evaluate(*ends, image, pairs, True, 0, np.empty(0), 0, None)
             errors.append(_mean_errors(found, pairs, ends[0].n_vertices))

@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any
 
 from . import _core
-from ._calls import ProgressLike, reporting
+from ._calls import ProgressLike, Report, part_of, reporting
 from ._match_options import Direction, Part, pairs, spectral_options, with_fields
 from ._match_results import PartialResult, SpectralResult
 from ._meshes import MeshLike, core_mesh
@@ -27,6 +27,7 @@ class SpectralShape:
         0: sampling starts at the vertex farthest from the center; else at one drawn from the seed.
     n_threads : int
         0 for all; the result does not depend on it.
+    progress : ProgressLike
 
     Raises
     ------
@@ -37,13 +38,21 @@ class SpectralShape:
     __slots__ = ("_shape", "n_triangles", "n_vertices")
 
     def __init__(
-        self, mesh: MeshLike, *, basis_size: int = 200, n_samples: int = 1000, seed: int = 0, n_threads: int = 0
+        self,
+        mesh: MeshLike,
+        *,
+        basis_size: int = 200,
+        n_samples: int = 1000,
+        seed: int = 0,
+        n_threads: int = 0,
+        progress: ProgressLike = None,
     ) -> None:
         core = core_mesh(mesh)
         options = with_fields(
             _core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed, n_threads=n_threads
         )
-        self._shape = _core.SpectralShape(core, options)
+        with reporting(progress, "preparing") as report:
+            self._shape = _core.SpectralShape(core, options, report)
         self.n_vertices, self.n_triangles = core.n_vertices, core.n_triangles
 
     def __repr__(self) -> str:
@@ -105,14 +114,18 @@ def match_spectral(
     )
     with reporting(progress, "matching") as report:
         if isinstance(source, SpectralShape) or isinstance(target, SpectralShape):
-            found = _core.match_spectral(_prepared(source, shape), _prepared(target, shape), options, report)
+            begin = _prepared(source, shape, part_of(report, 0, 0.4))
+            end = _prepared(target, shape, part_of(report, 0, 0.4))
+            found = _core.match_spectral(begin, end, options, part_of(report, 0.4, 1))
         else:
             found = _core.match_spectral(core_mesh(source), core_mesh(target), options, shape, report)
         return SpectralResult._of(found)
 
 
-def _prepared(mesh: MeshLike | SpectralShape, options: _core.SpectralShapeOptions) -> _core.SpectralShape:
-    return mesh._shape if isinstance(mesh, SpectralShape) else _core.SpectralShape(core_mesh(mesh), options)
+def _prepared(
+    mesh: MeshLike | SpectralShape, options: _core.SpectralShapeOptions, report: Report
+) -> _core.SpectralShape:
+    return mesh._shape if isinstance(mesh, SpectralShape) else _core.SpectralShape(core_mesh(mesh), options, report)
 
 
 def match_partial(

@@ -155,10 +155,14 @@ void bind_matching(nb::module_& module) {
     nb::class_<SpectralShape>(module, "SpectralShape")
         .def(
             "__init__",
-            [](SpectralShape* self, const Mesh& mesh, const SpectralShapeOptions& options) {
-                run([&] { new (self) SpectralShape(mesh, options); });
+            [](SpectralShape* self, const Mesh& mesh, SpectralShapeOptions options,
+               const nb::object& progress) {
+                run(progress, [&](Progress report) {
+                    options.progress = std::move(report);
+                    new (self) SpectralShape(mesh, options);
+                });
             },
-            "mesh"_a, "options"_a);
+            "mesh"_a, "options"_a, "progress"_a.none());
     module.def(
         "match_spectral",
         [](const SpectralShape& source, const SpectralShape& target, SpectralOptions options,

@@ -9,7 +9,7 @@ import counterpart
 import numpy as np
 import pytest
 import random_calls
-from counterpart import InvalidInput
+from counterpart import InvalidInput, SurfaceMap
 
 V, T = counterpart.make_icosphere(1)
 
@@ -97,6 +97,23 @@ def test_coordinates_that_are_not_finite(value):
         counterpart.match((vertices, T), (V, T))
 
 
+@pytest.mark.parametrize("value", [np.nan, np.inf, 1e200])
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda bad: counterpart.match_nearest((bad, T), (V, T)),
+        lambda bad: counterpart.match_nearest((V, T), (bad, T)),
+        lambda bad: counterpart.nearest_corners((V, T), SurfaceMap(np.zeros(len(V), int), bad)),
+        lambda bad: counterpart.vertex_map(bad[:3], *2 * [counterpart.spectrum((V, T), 3)]),
+    ],
+)
+def test_nothing_is_nearest_to_what_cannot_be_measured(use, value):
+    bad = V.copy()
+    bad[2, 1] = value
+    with pytest.raises(InvalidInput):
+        use(bad)
+
+
 @pytest.mark.parametrize("value", [-1, len(V), 2**31 - 1, -(2**31)])
 def test_indices_out_of_range(value):
     triangles = T.copy()
@@ -126,6 +143,7 @@ def test_what_is_no_mesh(mesh):
     "use",
     [
         lambda image: counterpart.evaluate((V, T), (V, T), image, np.arange(len(V))),
+        lambda image: counterpart.evaluate((V, T), (V, T), np.arange(len(V)), image),
         lambda image: counterpart.map_quality((V, T), (V, T), image),
         lambda image: counterpart.project_map((V, T), (V, T), image),
         lambda image: counterpart.render((V, T), (V, T), image, size=(64, 64)),
@@ -135,6 +153,14 @@ def test_what_is_no_mesh(mesh):
 def test_maps_that_do_not_fit(use, image):
     with pytest.raises(InvalidInput):
         use(image)
+
+
+def test_seeds_and_options_that_are_none():
+    for seeds in ((-2, 0), (0, -2), (-2, -2), (len(V), 0)):
+        with pytest.raises(InvalidInput, match="seed"):
+            counterpart.match_frontiers((V, T), (V, T), source_seed=seeds[0], target_seed=seeds[1])
+    with pytest.raises(InvalidInput, match="source_seed cannot be 1.5"):
+        counterpart.match_frontiers((V, T), (V, T), source_seed=1.5, target_seed=0)
 
 
 def test_random_calls():

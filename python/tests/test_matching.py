@@ -172,6 +172,9 @@ def test_bar(pair, capsys):
     [
         counterpart.match_spectral,
         counterpart.match_partial,
+        counterpart.match_frontiers,
+        lambda mesh, _: counterpart.SpectralShape(mesh),
+        lambda mesh, _: counterpart.match_spectral(counterpart.SpectralShape(mesh), mesh),
         lambda mesh, _: counterpart.distances(mesh),
         lambda mesh, _: counterpart.spectrum(mesh, 600),
         lambda mesh, _: counterpart.match_assignment(mesh, counterpart.shuffle(mesh)[0]),
