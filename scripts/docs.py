@@ -12,6 +12,7 @@ import subprocess
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
+import cpp_reference
 import nbformat
 from nbclient import NotebookClient
 from nbconvert import MarkdownExporter
@@ -65,20 +66,8 @@ def command_line() -> None:
     (PAGES / "command_line.md").write_text(text)
 
 
-def headers() -> None:
-    """One row per public header: what its first documented declaration says."""
-    include = ROOT / "include" / "counterpart"
-    text = (PAGES / "cpp.md").read_text()
-    for module in sorted(folder for folder in include.iterdir() if folder.is_dir()):
-        text += f"\n## {module.name}\n"
-        for header in sorted(module.glob("*.hpp")):
-            code = header.read_text().split("namespace counterpart", 1)[-1].split("{", 1)[-1].rsplit("}", 1)[0]
-            text += f"\n### counterpart/{module.name}/{header.name}\n\n```cpp\n{code.strip()}\n```\n"
-    (PAGES / "cpp.md").write_text(text)
-
-
 if __name__ == "__main__":
     copy_pages()
     command_line()
-    headers()
+    cpp_reference.main(PAGES / "cpp")
     tutorials()
