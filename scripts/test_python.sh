@@ -19,5 +19,6 @@ export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/buil
 "$venv/bin/python" -m pytest -q -n 2 --doctest-modules python/tests "$PYTHONPATH/counterpart"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart" python/examples benchmarks/python build/tutorials
+"$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
 "$venv/bin/ruff" check --no-cache .
 "$venv/bin/ruff" format --no-cache --check .
