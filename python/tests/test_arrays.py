@@ -159,7 +159,7 @@ def test_seeds_and_options_that_are_none():
     for seeds in ((-2, 0), (0, -2), (-2, -2), (len(V), 0)):
         with pytest.raises(InvalidInput, match="seed"):
             counterpart.match_frontiers((V, T), (V, T), source_seed=seeds[0], target_seed=seeds[1])
-    with pytest.raises(InvalidInput, match="source_seed cannot be 1.5"):
+    with pytest.raises(InvalidInput, match="source_seed cannot be"):
         counterpart.match_frontiers((V, T), (V, T), source_seed=1.5, target_seed=0)
 
 
