@@ -60,8 +60,9 @@ require_own_libraries() {
     exit 1
   fi
   local needed
-  needed=$(find "$folder" -type f \( -name '*.so*' -o -name counterpart \) -exec readelf -d {} + 2> /dev/null |
+  needed=$({ find "$folder" -type f -exec readelf -d {} + 2> /dev/null || true; } |  # not all of them are libraries
     sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u)
+  [ -n "$needed" ]
   for library in $needed; do
     [[ -e $folder/counterpart.libs/$library || $library =~ ^(lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux) ]] ||
       { echo "wheel: needs the system's $library" >&2; exit 1; }
