@@ -19,7 +19,7 @@ if [ ! -x "$tree/bin/bash" ]; then
   debootstrap --variant=minbase "$release" "$tree" ${mirror:+"$mirror"}
 fi
 # How this machine reaches the mirror and the package index.
-for path in etc/resolv.conf etc/hosts etc/apt/apt.conf.d etc/pip.conf etc/ssl/certs; do
+for path in etc/resolv.conf etc/hosts etc/apt/apt.conf.d etc/pip.conf etc/ssl/certs/ca-certificates.crt; do
   [ -e "/$path" ] && mkdir -p "$tree/$(dirname "$path")" && cp -rL "/$path" "$tree/$(dirname "$path")/"
 done
 rm -rf "$tree/counterpart"
