@@ -139,7 +139,8 @@ Eigen::MatrixXd ranked(Eigen::MatrixXd values, const Vector& mass) {
 
 // Both at a finer and a coarser scale: height over the smoothed surface, and the share of the normal that
 // smoothing leaves. By implicit steps of diffusion.
-Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuning) {
+Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuning,
+                       const ProgressRange& progress) {
     SparseMatrix system = tuning.relief_time * shape.laplacian.stiffness;
     for (Eigen::Index v = 0; v < system.cols(); ++v) system.coeffRef(v, v) += shape.laplacian.mass[v];
     const Eigen::SimplicialLDLT<SparseMatrix> factor(system);
@@ -147,6 +148,7 @@ Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuni
     Eigen::MatrixXd smoothed(system.cols(), 6), result(system.cols(), 4);
     smoothed << shape.mesh.vertices, shape.normals;
     for (int step = 1; step <= tuning.n_relief_steps; ++step) {
+        progress.check();
         smoothed = factor.solve(shape.laplacian.mass.asDiagonal() * smoothed).eval();
         if (step != 1 && step != tuning.n_relief_steps) continue;
         const Eigen::Index column = step == 1 ? 0 : 2;
@@ -194,7 +196,8 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     const Vector bent = clamped(mean_curvature(shape.mesh, shape.laplacian), tuning.curvature_percentile);
     const auto& times = tuning.curvature_times;
     shape.curvature = ranked(diffuse(bent, shape.basis, {times.begin(), times.end()}), shape.basis.mass);
-    shape.relief = ranked(relief(shape, tuning), shape.basis.mass);
+    progress.reach(0.935);
+    shape.relief = ranked(relief(shape, tuning, progress), shape.basis.mass);
     progress.reach(0.95);
     shape.wave_kernel = wave_kernel_signature(shape.basis);
     progress.reach(0.97);
