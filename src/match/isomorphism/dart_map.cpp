@@ -314,7 +314,7 @@ DartMap make_dart_map(MeshView mesh, Index first_center) {
     map.twin = twins.take_darts();
     map.boundary_edges = twins.boundary_edges();
     map.non_manifold_edges = twins.non_manifold_edges();
-    Renumbering(corners, twins.twin(), map);
+    const Renumbering renumbering(corners, twins.twin(), map);
     if (reorder) name_by_input(order, map);
     orient_components(map);
     map.non_manifold_vertices = map.n_components() > 1 ? count_non_manifold_vertices(map) : 0;
