@@ -16,6 +16,7 @@ import subprocess
 import sys
 import time
 import timeit
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
 import counterpart
@@ -90,11 +91,15 @@ def eight_threads(repetitions: int) -> dict[str, float]:
     return {"throughput_ratio": max(rows), "median_throughput_ratio": statistics.median(rows)}
 
 
+def until(moment: float) -> Callable[[float], bool]:
+    return lambda _: time.perf_counter() < moment
+
+
 def cancel_seconds(repetitions: int) -> dict[str, float]:
     """From the wish to stop, at a random time of the work on 100 000 vertices, until it has: the longest."""
     body = counterpart.subdivide(counterpart.make_body(3))  # 73 000
     torus = counterpart.make_torus(400, 250)  # regular: here the frontiers search longest
-    calls = {
+    calls: dict[str, Callable[[Callable[[float], bool] | None], object]] = {
         "SpectralShape": lambda report: counterpart.SpectralShape(torus, progress=report),
         "match_spectral": lambda report: counterpart.match_spectral(body, body, progress=report),
         "match_frontiers": lambda report: counterpart.match_frontiers(body, body, progress=report),
@@ -110,7 +115,7 @@ def cancel_seconds(repetitions: int) -> dict[str, float]:
         for _ in range(3 * repetitions):
             wish = time.perf_counter() + draw.uniform(0, whole)
             try:
-                call(lambda fraction, wish=wish: time.perf_counter() < wish)
+                call(until(wish))
             except counterpart.Canceled:
                 longest[name] = max(longest[name], time.perf_counter() - wish)
     return longest
