@@ -20,6 +20,9 @@ namespace {
 // Shares of the progress bar: the exact tests take milliseconds where spectral takes seconds.
 constexpr double exact_ends = 0.02, differences_end = 0.05;
 
+// Of MatchOptions::min_shared. Meshes cannot share a larger part than their sizes allow.
+constexpr double least_min_shared = 0.5;
+
 // A method that turns out not to work has already reported; the next one begins where it did.
 Progress never_decreasing(const Progress& progress) {
     if (!progress) return {};
@@ -36,7 +39,7 @@ class Matching {
         : source_(source), target_(target), options_(options), progress_(never_decreasing(options.progress)) {
         require_valid(source);
         require_valid(target);
-        if (!(options.min_shared >= 0.5 && options.min_shared <= 1))
+        if (!(options.min_shared >= least_min_shared && options.min_shared <= 1))
             throw InvalidInput(fmt::format("min_shared must be from 0.5 to 1, not {}", options.min_shared));
         if (options.n_threads < 0)
             throw InvalidInput(fmt::format("n_threads must be 0 (all) or more, not {}", options.n_threads));
@@ -95,6 +98,8 @@ class Matching {
         } catch (const NumericalError& error) {  // a non-manifold mesh that fits in too many ways
             reason_ = fmt::format("the connectivity does not decide ({})", error.what());
         }
+        const auto [fewer, more] = std::minmax({source_.n_vertices(), target_.n_vertices()});
+        if (fewer < least_min_shared * more) return false;
         const MeshDifferences& shared = find_shared(exact_ends, differences_end);
         if (shared.is_ambiguous || std::min(shared.source_share, shared.target_share) < options_.min_shared)
             return false;

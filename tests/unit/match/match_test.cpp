@@ -138,6 +138,16 @@ TEST(Match, MinSharedDecidesWhatIsNearlyTheSame) {
     EXPECT_EQ(result.n_filled, 0);
 }
 
+TEST(Match, MeshesOfVeryDifferentSizeAreNotComparedInDetail) {
+    const TriangleMesh source = make_body({.subdivisions = 0}), target = make_body({.subdivisions = 1});
+    for (const auto& [from, to] : {std::pair(source, target), std::pair(target, source)}) {
+        const MatchResult result = match(from, to, quick());
+        EXPECT_EQ(result.method, MatchMethod::spectral);
+        EXPECT_FALSE(result.differences.has_value());
+        expect_part(result.reason, "the connectivity differs: ");
+    }
+}
+
 TEST(Match, UnrelatedMeshesAreSpectral) {
     const TriangleMesh source = make_torus(24, 12), target = make_body({.subdivisions = 0});
     const MatchResult result = match(source, target, quick());
