@@ -143,10 +143,15 @@ IcpResult icp(MeshView source, MeshView target, const Affine& start, const Surfa
             parallel_for(static_cast<std::size_t>(count), 64, [&](std::size_t i) {
                 const auto v = static_cast<Eigen::Index>(i);
                 const numerics::ClosestPoint point = closest.closest(moved.row(v).transpose());
+                squared[v] = point.squared_distance;
+                if (point.triangle < 0) return;  // no number: the distance stays infinite
                 to.row(v) = closest.position(point).transpose();
                 normals.row(v) = closest.normals().row(point.triangle);
-                squared[v] = point.squared_distance;
             });
+            if (!squared.allFinite())
+                throw InvalidInput(
+                    "ICP moves the source out of the range of numbers: coordinates are too large, or the "
+                    "start is not finite");
             weights.head(count) = kept_pairs(squared, options.trim);
             const double found = weights.head(count).sum();
             result.rms_distance = std::sqrt(weights.head(count).dot(squared) / found);

@@ -8,6 +8,7 @@
 #include <counterpart/mesh/shuffle.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -84,6 +85,16 @@ TEST(Icp, KnownPairsCarryItOverALargeMotion) {
     EXPECT_TRUE(result.converged);
     EXPECT_LT((result.target_from_source(source.vertices) - target.vertices).rowwise().norm().maxCoeff(),
               1e-3);
+}
+
+TEST(Icp, AStartOutOfTheRangeOfNumbersIsRefused) {
+    const TriangleMesh mesh = make_icosphere(2);
+    for (const double factor :
+         {1e308, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        Affine start;
+        start.linear *= factor;
+        EXPECT_THROW(icp(mesh, mesh, start), InvalidInput) << factor;
+    }
 }
 
 TEST(IcpFromPrincipalAxes, BringsABodyBackFromAnywhere) {
