@@ -16,6 +16,16 @@
 namespace counterpart::render {
 namespace {
 
+/// In image space. Rays are cast in single precision, and Embree ends the program where lengths overflow.
+constexpr double largest_coordinate = 1e15;
+
+void require_in_range(double largest) {
+    if (!(largest <= largest_coordinate))
+        throw InvalidInput(
+            "coordinates beyond 1e15 in image space cannot be drawn: a mesh is extremely thin, or a vertex "
+            "extremely far away");
+}
+
 void require_valid(const Scene& scene, const RenderOptions& options) {
     if (scene.surfaces.empty() && scene.dots.empty() && scene.tubes.empty())
         throw InvalidInput("there is nothing to draw: the scene is empty");
@@ -25,7 +35,11 @@ void require_valid(const Scene& scene, const RenderOptions& options) {
             throw InvalidInput("a surface of " + std::to_string(surface.mesh.n_vertices()) +
                                " vertices needs as many attributes, not " +
                                std::to_string(surface.attributes.rows()));
+        require_in_range(surface.mesh.vertices.cwiseAbs().maxCoeff());
     }
+    for (const Dot& dot : scene.dots) require_in_range(dot.center.cwiseAbs().maxCoeff() + dot.radius);
+    for (const Tube& tube : scene.tubes)
+        require_in_range(tube.from.cwiseAbs().cwiseMax(tube.to.cwiseAbs()).maxCoeff() + tube.radius);
     if (!(options.margin >= 0 && options.margin <= 0.45))
         throw InvalidInput("the margin must be 0 to 0.45 of the image");
     if (options.bottom < 0 || options.right < 0 || 2 * options.bottom > options.height ||

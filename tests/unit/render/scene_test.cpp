@@ -76,8 +76,13 @@ TEST(Render, RefusesWhatCannotBeDrawn) {
     expect_error<InvalidInput>([&] { render(scene, {.margin = 0.5}); }, "margin");
     expect_error<InvalidInput>([&] { render(scene, {.bottom = 900}); }, "bottom");
     expect_error<InvalidInput>([&] { render(scene, {.occlusion_rays = 0}); }, "rays");
+    scene.surfaces[0].mesh.vertices(0, 0) = 1e16;
+    expect_error<InvalidInput>([&] { render(scene, small); }, "1e15");
     scene.surfaces[0].mesh.vertices(0, 0) = std::numeric_limits<double>::infinity();
     EXPECT_THROW(render(scene, small), InvalidInput);
+    scene.surfaces.clear();
+    scene.dots.push_back({Eigen::RowVector3d::Zero(), 1e16, Color(0, 0, 0)});
+    expect_error<InvalidInput>([&] { render(scene, small); }, "1e15");
 }
 
 TEST(Render, SameBytesForAnyNumberOfThreads) {
