@@ -143,7 +143,8 @@ class Painter {
         constexpr int side = 4;
         Color sum = Color::Zero();
         for (int i = 0; i < side * side; ++i) {
-            const Tracer::Hit hit = look(x + (i % side + 0.5) / side, y + (i / side + 0.5) / side);
+            const int column = i % side, row = i / side;
+            const Tracer::Hit hit = look(x + (column + 0.5) / side, y + (row + 0.5) / side);
             sum += hit.object == Tracer::nothing ? background_ : shade(tracer_, hit, nearby_light(hit, x, y));
         }
         return sum / (side * side);
