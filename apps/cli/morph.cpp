@@ -6,6 +6,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/gltf.hpp>
 #include <counterpart/transfer/morph.hpp>
 
 #include <algorithm>
@@ -21,6 +22,9 @@ struct MorphCommand {
     std::filesystem::path first, last, map, output;
     std::string format = ".obj";
     int count = 24;
+    double frames_per_second = 24;
+    CLI::Option* format_option = nullptr;
+    CLI::Option* speed_option = nullptr;
     MorphOptions options;
 };
 
@@ -58,15 +62,22 @@ std::string worst_of(const Json& rows, const std::string& prefix) {
                        100 * error, 100 * volume, inverted);
 }
 
-// The first key frame with its attributes; each further frame is a morph target.
+void require_used(const MorphCommand& command) {
+    if (is_gltf(command.output) && command.format_option->count() > 0)
+        throw InvalidInput("--format is of frames in a folder; --output names one file");
+    if (!is_gltf(command.output) && command.speed_option->count() > 0)
+        throw InvalidInput("--fps is of an animation: --output must then be a .glb or .gltf file");
+}
+
+// The first key frame with its attributes; each further frame is a morph target, and an animation plays them.
 void write_morph_targets(AttributedMesh content, const std::vector<Points>& frames, const Points& last,
-                         const std::filesystem::path& output) {
+                         const MorphCommand& command) {
     content.morphs.clear();
     const Points& first = content.mesh.vertices;
     for (const Points& frame : frames)
         content.morphs.push_back({fmt::format("frame_{:04}", content.morphs.size() + 1), frame - first});
     content.morphs.push_back({fmt::format("frame_{:04}", content.morphs.size() + 1), last - first});
-    write_attributed_mesh(content, output);
+    write_gltf(content, command.output, command.frames_per_second);
 }
 
 // With what the first key frame has that no pose changes: no normals, no skeleton.
@@ -91,6 +102,7 @@ void write_frames(AttributedMesh content, const std::vector<Points>& frames, con
 }
 
 void run(const MorphCommand& command) {
+    require_used(command);
     Stopwatch watch;
     const AttributedMesh first_content = load_attributed_mesh(command.first, command.common);
     const TriangleMesh& first = first_content.mesh;
@@ -109,7 +121,7 @@ void run(const MorphCommand& command) {
     watch.lap("morph");
 
     if (is_gltf(command.output))
-        write_morph_targets(first_content, frames, pose, command.output);
+        write_morph_targets(first_content, frames, pose, command);
     else
         write_frames(first_content, frames, pose, command);
     watch.lap("write");
@@ -143,15 +155,22 @@ void add_morph(CLI::App& program) {
     morph->add_option("-n,--frames", command->count, "Number of in-between frames; 0 to 10000")
         ->check(whole_number(0, 10000))
         ->capture_default_str();
-    add_output(*morph, command->common.files, "-o,--output", command->output, Content::frames,
-               "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all attributes "
-               "except morph targets, and frame_0001 to frame_<n+1> as its morph targets")
+    add_output(
+        *morph, command->common.files, "-o,--output", command->output, Content::frames,
+        "Folder for frame_0000 (A) to frame_<n+1> (B); or a .glb or .gltf file: A with all attributes "
+        "except morph targets, and frame_0001 to frame_<n+1> as its morph targets, played by an animation")
         ->required();
-    morph
-        ->add_option("--format", command->format,
-                     "File format of frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
-        ->check(one_of({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
-        ->capture_default_str();
+    command->format_option =
+        morph
+            ->add_option("--format", command->format,
+                         "File format of frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
+            ->check(one_of({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
+            ->capture_default_str();
+    command->speed_option = morph
+                                ->add_option("--fps", command->frames_per_second,
+                                             "Frames per second of the animation in a .glb or .gltf file")
+                                ->check(number(0.01, 1000))
+                                ->capture_default_str();
     morph
         ->add_option("--iterations", command->options.iterations,
                      "Iterations per frame, 0 to 100; more preserve edge lengths better")

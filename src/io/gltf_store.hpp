@@ -14,6 +14,6 @@ void store_primitive(GltfDocument& document, const GltfPrimitive& stored, const 
                      bool same_vertices);
 
 /// The bytes of the file that write_gltf writes. Throws InvalidInput, IoError and GltfJson::exception.
-std::string gltf_bytes(const AttributedMesh& content, bool binary);
+std::string gltf_bytes(const AttributedMesh& content, bool binary, double frames_per_second = 0);
 
 }  // namespace counterpart::io

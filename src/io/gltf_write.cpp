@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/corner_rows.hpp"
 #include "io/formats.hpp"
+#include "io/gltf_morph_weights.hpp"
 #include "io/gltf_split.hpp"
 #include "io/gltf_store.hpp"
 
@@ -91,38 +92,6 @@ std::vector<std::size_t> morph_counts(const Stored& stored, const AttributedMesh
             if (!wanted[p].displacements[i].isZero(0)) count = i + 1;
     }
     return counts;
-}
-
-// Weights and animations that belong to another number of blend shapes say nothing any more.
-void forget_morph_weights(GltfDocument& document, std::size_t mesh) {
-    GltfJson& json = document.json;
-    json["meshes"][mesh].erase("weights");
-    std::vector<std::int64_t> nodes;
-    for (std::size_t i = 0; i < document.count("nodes"); ++i) {
-        GltfJson& node = json["nodes"][i];
-        if (number_at(document, node, "mesh", -1) != static_cast<std::int64_t>(mesh)) continue;
-        node.erase("weights");
-        nodes.push_back(static_cast<std::int64_t>(i));
-    }
-    for (std::size_t i = 0; i < document.count("animations"); ++i) {
-        GltfJson& channels = json["animations"][i]["channels"];
-        GltfJson kept = GltfJson::array();
-        for (const GltfJson& channel : channels) {
-            const GltfJson& target = channel.at("target");
-            const std::int64_t node = number_at(document, target, "node", -1);
-            if (target.value("path", "") != "weights" || std::count(nodes.begin(), nodes.end(), node) == 0)
-                kept.push_back(channel);
-        }
-        channels = std::move(kept);
-    }
-    if (!json.contains("animations")) return;
-    GltfJson animations = GltfJson::array();
-    for (const GltfJson& animation : json["animations"])
-        if (!animation["channels"].empty()) animations.push_back(animation);
-    if (animations.empty())
-        json.erase("animations");
-    else
-        json["animations"] = std::move(animations);
 }
 
 void name_morphs(Stored& stored, const AttributedMesh& content, const std::vector<std::size_t>& counts) {
@@ -219,16 +188,18 @@ void store(Stored& stored, const AttributedMesh& content) {
 
 }  // namespace
 
-std::string io::gltf_bytes(const AttributedMesh& content, bool binary) {
+std::string io::gltf_bytes(const AttributedMesh& content, bool binary, double frames_per_second) {
     require_consistent(content);
     Stored stored = stored_content(content);
     store(stored, content);
+    if (frames_per_second > 0) play_morph_targets(stored.document, frames_per_second);
     return gltf_bytes(std::move(stored.document), binary);
 }
 
-void write_gltf(const AttributedMesh& content, const std::filesystem::path& file) {
+void write_gltf(const AttributedMesh& content, const std::filesystem::path& file, double frames_per_second) {
+    if (!(frames_per_second >= 0)) throw InvalidInput("write_gltf: frames_per_second must not be negative");
     try {
-        write_file(gltf_bytes(content, lower_extension(file) != ".gltf"), file);
+        write_file(gltf_bytes(content, lower_extension(file) != ".gltf", frames_per_second), file);
     } catch (const InvalidInput& error) {
         throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
     } catch (const GltfJson::exception& error) {

@@ -158,6 +158,24 @@ run match character.glb again.glb --method exact -o again.txt
 run transfer character.glb again.glb --map again.txt --what colors -o kept.glb
 compare kept.glb again.glb || fail "what the target had did not stay"
 
+# ---- in-betweens in one file: its animation plays what a folder holds ----
+run morph character.glb copy.glb --map map.txt -n 2 --fps 10 -o played.glb
+run morph character.glb copy.glb --map map.txt -n 2 -o frames --format .glb
+python3 -c "
+from glb import *
+glb = Glb('played.glb')
+animation = next(a for a in glb.json['animations'] if a['name'] == 'morph')
+sampler = animation['samplers'][0]
+times, weights = ([x for x, in glb.rows(sampler[k])] for k in ('input', 'output'))
+assert [round(t, 6) for t in times] == [0, 0.1, 0.2, 0.3] and len(weights) == 4 * 3, (times, weights)
+for k in range(4):
+    for mine, its in zip(glb.triangles(), Glb('frames/frame_%04d.glb' % k).triangles()):
+        for a, b in zip(mine, its):
+            shown = [x + sum(weights[3 * k + m] * a['MORPH_%d' % m][i] for m in range(3)) for i, x in enumerate(a['POSITION'])]
+            assert max(abs(x - y) for x, y in zip(shown, b['POSITION'])) < 1e-5, (k, shown, b['POSITION'])"
+refuse 1 "--fps is of an animation" morph character.glb copy.glb --map map.txt -o none --fps 10
+refuse 1 "--format is of frames in a folder" morph character.glb copy.glb --map map.txt -o none.glb --format .obj
+
 # ---- what belongs to a file: the skeleton to the one, the texture to the other ----
 cat > other.py << 'END'
 from glb import *

@@ -33,8 +33,11 @@ GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options
 /// stored in new ones (floats). While the triangles are the document's, so are the vertices as they are split
 /// at seams, where the corners allow it; else vertices are split where corners differ, in the order of the
 /// content's. Vertices without triangles are then left out, as are tangents and other attributes that only
-/// the document knows. The file appears whole or not at all. Throws IoError, also if the parts of `content`
-/// do not fit each other, or a texture file is missing.
-void write_gltf(const AttributedMesh& content, const std::filesystem::path& file);
+/// the document knows. Above 0, `frames_per_second` adds an animation that shows the mesh and then its morph
+/// targets one after the other, in place of any that moves them. The file appears whole or not at all. Throws
+/// IoError, also if the parts of `content` do not fit each other, or a texture file is missing; InvalidInput
+/// for a negative number.
+void write_gltf(const AttributedMesh& content, const std::filesystem::path& file,
+                double frames_per_second = 0);
 
 }  // namespace counterpart

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/byte_order.hpp"
+#include "io/gltf_document.hpp"
 #include "support/gltf_accessors.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -331,6 +332,39 @@ TEST(WriteGltf, WeightsThatSumToZeroAreRefused) {
     EXPECT_EQ(written(content).content.skin.weights, content.skin.weights);
     content.skin.joints(2, 0) = 2;
     EXPECT_THROW(write_gltf(content, folder / "out.glb"), IoError);
+}
+
+TEST(WriteGltf, AnAnimationPlaysTheMorphTargetsInTheirOrder) {
+    Square square;  // whose own animation moves the weights of another set of shapes
+    const Json times = square.floats({0, 1, 0, 1}, 2), weights = square.floats({0, 1, 0, 1}, 2);
+    square.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+         {"samplers", {{{"input", times}, {"output", weights}}}}}};
+    AttributedMesh content = read(square.glb()).content;
+    content.morphs = {{"frame_0001", Points::Ones(4, 3)}, {"frame_0002", Points::Ones(4, 3) * 3}};
+    const test::TemporaryFolder folder;
+    for (const char* name : {"out.glb", "out.gltf"}) {
+        write_gltf(content, folder / name, 4);
+        const GltfDocument document = load_gltf(folder / name);
+        ASSERT_EQ(document.count("animations"), 1U);
+        const GltfJson& animation = document.json["animations"][0];
+        ASSERT_EQ(animation["channels"].size(), 1U);
+        EXPECT_EQ(animation["channels"][0],
+                  GltfJson({{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}));
+        const GltfJson& sampler = animation["samplers"][0];
+        EXPECT_EQ(sampler["interpolation"], "LINEAR");
+        GltfBudget budget(document);
+        EXPECT_EQ(read_accessor(document, sampler["input"], "SCALAR", budget), (Matrix{{0}, {0.25}, {0.5}}));
+        EXPECT_EQ(read_accessor(document, sampler["output"], "SCALAR", budget),
+                  (Matrix{{0}, {0}, {1}, {0}, {0}, {1}}));
+        const GltfJson& input = document.json["accessors"][sampler["input"].get<std::size_t>()];
+        EXPECT_EQ(input["max"], GltfJson({0.5}));
+        EXPECT_EQ(read_gltf(folder / name).content.morphs[1].displacements, content.morphs[1].displacements);
+    }
+    content.morphs.clear();
+    write_gltf(content, folder / "still.glb", 4);
+    EXPECT_EQ(load_gltf(folder / "still.glb").count("animations"), 0U);
+    EXPECT_THROW(write_gltf(content, folder / "still.glb", -1), InvalidInput);
 }
 
 }  // namespace
