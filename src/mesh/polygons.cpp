@@ -119,8 +119,9 @@ std::string mesh::first_difference(const Polygons& source, const Polygons& targe
         return fmt::format("the source has {} polygons, the target {}", source.count(), target.count());
     const auto sorted_sizes = [](const Polygons& polygons) {
         std::vector<Index> sizes;
+        sizes.reserve(at(polygons.count()));
         for (Index p = 0; p < polygons.count(); ++p) sizes.push_back(polygons.size(p));
-        std::sort(sizes.begin(), sizes.end());
+        if (!std::is_sorted(sizes.begin(), sizes.end())) std::sort(sizes.begin(), sizes.end());
         return sizes;
     };
     const std::vector<Index> ours = sorted_sizes(source), theirs = sorted_sizes(target);

@@ -104,27 +104,48 @@ std::optional<bool> is_turned_over_in_plane(const MatchedMaps& maps) {
     return *ours * *theirs < 0;
 }
 
-// Of coned meshes only the corners 0, which are those of polygons: nothing else is asked of them.
-void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, ExactResult& result) {
-    std::vector<Index> image(to_size(maps.source.n_vertices()), -1);
-    result.target_corner_from_source.setConstant(maps.source.n_triangles(), 3, -1);
-    Index* const corners = result.target_corner_from_source.data();
-    Index reversed_triangles = 0;
+// The corner, 0 to 2, of its triangle that the dart leaves.
+Dart corner_at_origin(Dart f) { return (corner_of(f) + direction_of(f)) % 3; }
+
+// Every dart of a triangle and its image, body(dart, image), of all pairs of components; of coned meshes only
+// the one at corner 0, which is a polygon's: nothing else is asked of them.
+template <class Body>
+void for_each_corner(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, const Body& body) {
     const bool is_coned = maps.source.first_center != no_center;
     for (const ComponentPair& pair : pairs) {
         for (std::size_t k = 0; k < pair.size(); ++k) {
             Dart d = pair.on_source(k), e = pair.on_target(k);
-            reversed_triangles += static_cast<Index>(direction_of(d ^ e));
-            for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) {
-                const Index corner = maps.source.input_corner(d);
-                if (is_coned && corner % 3 != 0) continue;
-                corners[corner] = maps.target.input_corner(e);
-                image[to_size(maps.source.origin(d))] = maps.target.origin(e);
+            if (is_coned) {
+                const Dart corner = corner_at_origin(d);
+                const Dart steps = direction_of(d) == 0 ? (3 - corner) % 3 : corner;
+                body(next(d, steps), next(e, steps));
+                continue;
             }
+            for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) body(d, e);
         }
     }
-    result.reversed_triangles = reversed_triangles;
-    result.winding_reversed = reversed_triangles == maps.source.n_triangles();
+}
+
+void fill_maps(const MatchedMaps& maps, const std::vector<ComponentPair>& pairs, ExactResult& result) {
+    std::vector<Index> image(to_size(maps.source.n_vertices()), -1);
+    const auto map_vertices = [&] {
+        for_each_corner(maps, pairs, [&](Dart d, Dart e) {
+            image[to_size(maps.source.origin(d))] = maps.target.origin(e);
+        });
+    };
+    result.target_corner_from_source.setConstant(maps.source.n_triangles(), 3, -1);
+    Index* const corners = result.target_corner_from_source.data();
+    Index reversed_corners = 0;
+    const auto map_corners = [&] {
+        for_each_corner(maps, pairs, [&](Dart d, Dart e) {
+            corners[maps.source.input_corner(d)] = maps.target.input_corner(e);
+            reversed_corners += static_cast<Index>(direction_of(d ^ e));
+        });
+    };
+    parallel_invoke(map_vertices, map_corners);
+    const bool is_coned = maps.source.first_center != no_center;
+    result.reversed_triangles = is_coned ? reversed_corners : reversed_corners / 3;
+    result.winding_reversed = result.reversed_triangles == maps.source.n_triangles();
     std::vector<Index> input_image(to_size(maps.source_mesh.n_vertices()), VertexMap::unmatched);
     for (std::size_t v = 0; v < image.size(); ++v)
         if (image[v] >= 0)

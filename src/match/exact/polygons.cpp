@@ -5,10 +5,12 @@
 #include "base/parallel.hpp"
 #include "match/diagonals/diagonals.hpp"
 #include "match/exact/isomorphism.hpp"
+#include "match/isomorphism/traversal.hpp"
 #include "mesh/polygons.hpp"
 
 #include <algorithm>
-#include <array>
+#include <functional>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -17,48 +19,50 @@ namespace {
 
 using isomorphism::to_size;
 
-// For each corner of a triangle of the source one of the target that stands for the same corner of a polygon;
-// the result's are those of coned meshes, whose triangle j begins at polygon corner j.
-Triangles uncut_corners(const Polygons& source, const Polygons& target, TrianglesView coned) {
-    const std::vector<Index> stands_for = target.triangle_corners();
+constexpr std::size_t grain = 2048;  // polygons that are worth a thread
+
+// For each corner of a polygon of the source that of the target: of coned meshes triangle j begins at corner
+// j.
+std::vector<Index> polygon_corner_images(const Polygons& source, const Polygons& target,
+                                         TrianglesView coned) {
     std::vector<Index> next(to_size(target.n_corners()));
-    for (Index p = 0; p < target.count(); ++p)
-        for (Index j = target.first[to_size(p)]; j < target.first[to_size(p) + 1]; ++j)
-            next[to_size(j)] = j + 1 < target.first[to_size(p) + 1] ? j + 1 : target.first[to_size(p)];
-    return source.corners.unaryExpr([&](Index j) {
-        const Index corner = coned(j, 0);
-        return stands_for[to_size(corner % 3 == 0 ? corner / 3 : next[to_size(corner / 3)])];
+    for (Index q = 0; q < target.count(); ++q) {
+        const Index begin = target.first[to_size(q)], end = target.first[to_size(q) + 1];
+        std::iota(next.begin() + begin, next.begin() + end, begin + 1);
+        next[to_size(end - 1)] = begin;
+    }
+    std::vector<Index> image(to_size(source.n_corners()));
+    parallel_for(image.size(), 4 * grain, [&](std::size_t j) {
+        const Index corner = coned(static_cast<Index>(j), 0);
+        image[j] = corner % 3 == 0 ? corner / 3 : next[to_size(corner / 3)];
     });
+    return image;
 }
 
-// How many of the source's polygons are cut into other triangles in the target.
-Index count_cut_differently(const Polygons& source, const Triangles& target_corners, const Polygons& target) {
-    using Cut = std::vector<std::array<Index, 3>>;
-    const auto fill = [](Cut& cut, const Triangles& triangles, Index begin, Index end, const auto& corner) {
-        cut.clear();
-        for (Index t = begin; t < end; ++t) {
-            cut.push_back({corner(triangles(t, 0)), corner(triangles(t, 1)), corner(triangles(t, 2))});
-            std::sort(cut.back().begin(), cut.back().end());
-        }
-        std::sort(cut.begin(), cut.end());
+// How many of the source's polygons are cut into other triangles in the target. Two cuts of a polygon are
+// equal where the sums over their triangles are, of hashes that do not depend on a triangle's first corner.
+Index count_cut_differently(const Polygons& source, const std::vector<Index>& image, const Polygons& target) {
+    const auto hash = [](const Index* corner, const auto& name) {
+        using isomorphism::mix;
+        const auto of = [&](int c) { return mix(static_cast<std::uint64_t>(name(corner[c])) + 1); };
+        return mix(of(0) + of(1) + of(2));
     };
     std::vector<Index> polygon_of(to_size(target.n_corners()));  // of the target's corners
     for (Index q = 0; q < target.count(); ++q)
         std::fill_n(polygon_of.begin() + target.first[to_size(q)], target.size(q), q);
-    Cut ours, theirs;
-    Index count = 0;
-    for (Index p = 0; p < source.count(); ++p) {
-        const Index n = source.size(p), begin = source.first_triangle(p);
-        if (n == 3) continue;
-        const auto of_target = [&](Index corner) { return target.corners.data()[corner]; };
-        const Index image = of_target(target_corners(begin, 0));
-        const Index there = target.first_triangle(polygon_of[to_size(image)]);
-        const auto itself = [](Index corner) { return corner; };
-        fill(ours, target_corners, begin, begin + n - 2, of_target);
-        fill(theirs, target.corners, there, there + n - 2, itself);
-        if (ours != theirs) ++count;
-    }
-    return count;
+    std::vector<std::uint8_t> differs(to_size(source.count()), 0);
+    parallel_for(differs.size(), grain, [&](std::size_t i) {
+        const auto p = static_cast<Index>(i);
+        const Index q = polygon_of[to_size(image[to_size(source.first[i])])];
+        std::uint64_t difference = 0;
+        for (Index t = 0; t < source.size(p) - 2; ++t) {
+            difference += hash(source.corners.row(source.first_triangle(p) + t).data(),
+                               [&](Index corner) { return image[to_size(corner)]; });
+            difference -= hash(target.corners.row(target.first_triangle(q) + t).data(), std::identity{});
+        }
+        differs[i] = difference == 0 ? 0 : 1;
+    });
+    return static_cast<Index>(std::count(differs.begin(), differs.end(), 1));
 }
 
 VertexMap without_centers(const VertexMap& map, Index n_source, Index n_target) {
@@ -86,8 +90,11 @@ Isomorphism match_coned(MeshView source, MeshView target, const ExactOptions& op
         ++found.source.n_reversed;
         result.reversed_triangles += from.size(p) - 2;
     }
-    result.target_corner_from_source = uncut_corners(from, to, result.target_corner_from_source);
-    result.recut_polygons = count_cut_differently(from, result.target_corner_from_source, to);
+    const std::vector<Index> image = polygon_corner_images(from, to, result.target_corner_from_source),
+                             stands_for = to.triangle_corners();
+    result.target_corner_from_source =
+        from.corners.unaryExpr([&](Index j) { return stands_for[to_size(image[to_size(j)])]; });
+    result.recut_polygons = count_cut_differently(from, image, to);
     return found;
 }
 

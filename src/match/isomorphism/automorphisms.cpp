@@ -4,25 +4,21 @@
 
 namespace counterpart::isomorphism {
 
-std::vector<Dart> darts_like(const DartMap& root_map, const std::vector<Color>& root_colors, Dart root,
-                             const DartMap& map, const std::vector<Color>& colors, Index component,
-                             unsigned parity) {
-    std::vector<Dart> darts;
+DartsByParity darts_like(const DartMap& root_map, const std::vector<Color>& root_colors, Dart root,
+                         const DartMap& map, const std::vector<Color>& colors, Index component) {
+    DartsByParity darts;
     const bool one_sided = map.is_one_sided(component);
-    if (one_sided && parity == 1) return darts;
     const Color origin = root_colors[to_size(root_map.origin(root))];
     const Color color = dart_color(root_map, root_colors, root);
-    const Index begin = map.component_begin[to_size(component)], end = begin + map.component_size(component);
-    for (Index t = begin; t < end; ++t) {
-        for (int c = 0; c < 3; ++c) {
-            const Index v = map.corner[3 * to_size(t) + to_size(c)];
-            if (colors[to_size(v)] != origin) continue;
-            // The two darts that leave this corner.
-            const Dart forward = make_dart(t, c), backward = make_dart(t, c == 0 ? 2 : c - 1, 1);
-            for (const Dart f : {forward, backward})
-                if ((one_sided || map.parity(f) == parity) && dart_color(map, colors, f) == color)
-                    darts.push_back(f);
-        }
+    const auto begin = 3 * to_size(map.component_begin[to_size(component)]),
+               end = 3 * to_size(map.component_begin[to_size(component) + 1]);
+    for (std::size_t h = begin; h < end; ++h) {
+        if (colors[to_size(map.corner[h])] != origin) continue;
+        // The two darts that leave this corner.
+        const auto t = static_cast<Index>(h / 3);
+        const int c = static_cast<int>(h % 3);
+        for (const Dart f : {make_dart(t, c), make_dart(t, c == 0 ? 2 : c - 1, 1)})
+            if (dart_color(map, colors, f) == color) darts[one_sided ? 0 : map.parity(f)].push_back(f);
     }
     return darts;
 }
@@ -125,8 +121,7 @@ class Search {
 
 AutomorphismGroup find_automorphisms(const DartMap& map, const std::vector<Color>& colors, Index component,
                                      Dart root) {
-    const std::vector<Dart> even = darts_like(map, colors, root, map, colors, component, 0),
-                            odd = darts_like(map, colors, root, map, colors, component, 1);
+    const auto [even, odd] = darts_like(map, colors, root, map, colors, component);
     if (even.size() == 1 && odd.empty()) return trivial_group(root);
     return Search(map, component, root).run(even, odd);
 }

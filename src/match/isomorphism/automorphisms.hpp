@@ -4,16 +4,19 @@
 
 #include "match/isomorphism/traversal.hpp"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace counterpart::isomorphism {
 
-/// Darts of the component that may be images of `root`, a dart of `root_map`: of the same color and the given
-/// parity. On a one-sided component both directions count as parity 0.
-std::vector<Dart> darts_like(const DartMap& root_map, const std::vector<Color>& root_colors, Dart root,
-                             const DartMap& map, const std::vector<Color>& colors, Index component,
-                             unsigned parity);
+/// Darts of one color, by parity. On a one-sided component both directions count as parity 0.
+using DartsByParity = std::array<std::vector<Dart>, 2>;
+
+/// Darts of the component that may be images of `root`, a dart of `root_map`: those of the same color.
+/// O(size).
+DartsByParity darts_like(const DartMap& root_map, const std::vector<Color>& root_colors, Dart root,
+                         const DartMap& map, const std::vector<Color>& colors, Index component);
 
 /// The symmetries of one component's connectivity. An automorphism is fixed by where it takes the root, so
 /// the orientation-preserving ones are as many as the darts in the root's orbit, and a few generators tell

@@ -91,9 +91,10 @@ class Classifier {
                 continue;
             SimultaneousTraversal& traversal =
                 traversals_[(kind.in_target ? 1U : 0U) + (named.in_target ? 1U : 0U)];
+            const DartsByParity darts = darts_like(*maps_[kind.in_target], colors(kind.in_target), kind.root,
+                                                   map, colors(named.in_target), named.component);
             for (unsigned parity = 0; parity < 2; ++parity) {
-                for (const Dart f : darts_like(*maps_[kind.in_target], colors(kind.in_target), kind.root, map,
-                                               colors(named.in_target), named.component, parity)) {
+                for (const Dart f : darts[parity]) {
                     const std::size_t before = traversal.steps();
                     Images images = traversal.run(kind.component, kind.root, f);
                     if (!images.empty()) {

@@ -11,7 +11,7 @@
 
 namespace counterpart::isomorphism {
 
-/// An component and how the class's representative lies on it.
+/// A component and how the class's representative lies on it.
 struct Member {
     Index component = 0;
     Images from_representative;  ///< of the representative's triangles
@@ -21,7 +21,7 @@ struct Member {
 /// Isomorphic components; mirrored ones are in one class and differ in parity.
 struct ComponentClass {
     bool in_target =
-        false;  ///< the representative is an component of the target (the source has none of the class)
+        false;  ///< the representative is a component of the target (the source has none of the class)
     Index component = 0;
     Index first = 0;  ///< triangle of the representative, where its images begin
     Dart root = 0;    ///< of the rarest color on the representative

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/isomorphism/traversal.hpp"
 
+#include "base/parallel.hpp"
+
 namespace counterpart::isomorphism {
 
 std::vector<Color> vertex_colors(const DartMap& map, int rounds) {
@@ -93,31 +95,34 @@ bool SimultaneousTraversal::extend(Index first) {
     return agree;
 }
 
-// Edges alone do not see that fans meet in one vertex (a pinch).
+// Edges alone do not see that fans meet in one vertex (a pinch): whether all corners at one vertex go to one
+// vertex, and, at the same time, whether all that go to one come from one.
 bool SimultaneousTraversal::vertices_agree(Index first, Index size) {
     vertex_image_.resize(to_size(a_.n_vertices()), -1);
     vertex_origin_.resize(to_size(b_.n_vertices()), -1);
-    bool agree = true;
-    seen_.clear();
-    for (Index t = first; t < first + size && agree; ++t) {
-        Dart g = images_[to_size(t - first)];
-        for (std::size_t c = 0; c < 3; ++c, g = next(g, 1)) {
-            const Index a = a_.corner[3 * to_size(t) + c], b = b_.origin(g);
-            Index& image = vertex_image_[to_size(a)];
-            Index& origin = vertex_origin_[to_size(b)];
-            if (image < 0 && origin < 0) {
-                image = b;
-                origin = a;
-                seen_.push_back(a);
-            }
-            agree = agree && image == b && origin == a;
+    const auto for_each_corner = [&](const auto& body) {
+        for (Index t = first; t < first + size; ++t) {
+            Dart g = images_[to_size(t - first)];
+            for (std::size_t c = 0; c < 3; ++c, g = next(g, 1))
+                body(a_.corner[3 * to_size(t) + c], b_.origin(g));
         }
-    }
-    for (const Index a : seen_) {
-        vertex_origin_[to_size(vertex_image_[to_size(a)])] = -1;
-        vertex_image_[to_size(a)] = -1;
-    }
-    return agree;
+    };
+    const auto is_single_valued = [&](std::vector<Index>& value, const auto& from, const auto& to) {
+        bool agrees = true;
+        for_each_corner([&](Index a, Index b) {
+            Index& known = value[to_size(from(a, b))];
+            known = known < 0 ? to(a, b) : known;
+            agrees = agrees && known == to(a, b);
+        });
+        for_each_corner([&](Index a, Index b) { value[to_size(from(a, b))] = -1; });
+        return agrees;
+    };
+    const auto on_a = [](Index a, Index) { return a; };
+    const auto on_b = [](Index, Index b) { return b; };
+    bool forward = false, backward = false;
+    parallel_invoke([&] { forward = is_single_valued(vertex_image_, on_a, on_b); },
+                    [&] { backward = is_single_valued(vertex_origin_, on_b, on_a); });
+    return forward && backward;
 }
 
 }  // namespace counterpart::isomorphism

@@ -69,7 +69,7 @@ class SimultaneousTraversal {
     Images images_;
     std::vector<Index> queue_;
     std::size_t visited_ = 0;  // triangles in the queue
-    std::vector<Index> vertex_image_, vertex_origin_, seen_;
+    std::vector<Index> vertex_image_, vertex_origin_;
     std::size_t steps_ = 0;
 };
 
