@@ -184,7 +184,7 @@ void put_in_place(GltfPrimitive& primitive) {
         displacement = (displacement * linear.transpose()).eval();
     if (primitive.normals.rows() > 0 && linear.determinant() != 0)
         primitive.normals = (primitive.normals * linear.inverse()).rowwise().normalized();
-    if (linear.determinant() < 0) primitive.triangles.col(1).swap(primitive.triangles.col(2));
+    if (linear.determinant() < 0) primitive.turn_over();
 }
 
 }  // namespace

@@ -25,6 +25,11 @@ struct GltfPrimitive {
     std::vector<Matrix> texture_coordinates, colors;
     SkinBinding skin;
     std::vector<Points> displacements;
+
+    /// A placement that mirrors turns the triangles over.
+    void turn_over() {
+        if (triangles.rows() > 0) triangles.col(1).swap(triangles.col(2));
+    }
 };
 
 /// All that hold triangles, of the meshes that the scene shows. Throws IoError, also if there are none.

@@ -39,7 +39,7 @@ void take_out_of_place(GltfPrimitive& primitive, const Eigen::Affine3d& placemen
     for (Points& displacement : primitive.displacements)
         displacement = (displacement * inverse.linear().transpose()).eval();
     if (primitive.normals.rows() > 0) primitive.normals = (primitive.normals * linear).rowwise().normalized();
-    if (linear.determinant() < 0) primitive.triangles.col(1).swap(primitive.triangles.col(2));
+    if (linear.determinant() < 0) primitive.turn_over();
 }
 
 class PrimitiveStore {
