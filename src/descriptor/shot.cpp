@@ -66,18 +66,21 @@ void add_to_histogram(const NearPoint& p, const Eigen::Matrix3d& frame, double r
     const Between half(std::acos(std::clamp(local.z() / p.distance, -1.0, 1.0)) / std::numbers::pi * 2 - 0.5);
     const Between shell(p.distance / radius * 2 - 0.5);
     const Between cosine((frame.col(2).dot(p.normal) + 1) / 2 * n_cosines - 0.5);
-    for (int a = 0; a < 2; ++a)
-        for (int h = 0; h < 2; ++h)
-            for (int s = 0; s < 2; ++s)
-                for (int c = 0; c < 2; ++c) {
-                    const int at_sector = (sector.below + a + n_sectors) % n_sectors;
-                    const int at_half = std::clamp(half.below + h, 0, 1),
-                              at_shell = std::clamp(shell.below + s, 0, 1);
-                    const int at_cosine = std::clamp(cosine.below + c, 0, n_cosines - 1);
-                    histogram[((at_sector * 2 + at_half) * 2 + at_shell) * n_cosines + at_cosine] +=
-                        static_cast<float>(p.area * sector.weight(a) * half.weight(h) * shell.weight(s) *
-                                           cosine.weight(c));
-                }
+    for (int a = 0; a < 2; ++a) {
+        const int at_sector = (sector.below + a + n_sectors) % n_sectors;
+        const double in_sector = p.area * sector.weight(a);
+        for (int h = 0; h < 2; ++h) {
+            const int at_half = at_sector * 2 + std::clamp(half.below + h, 0, 1);
+            const double in_half = in_sector * half.weight(h);
+            for (int s = 0; s < 2; ++s) {
+                float* cosines = histogram + (at_half * 2 + std::clamp(shell.below + s, 0, 1)) * n_cosines;
+                const double in_shell = in_half * shell.weight(s);
+                for (int c = 0; c < 2; ++c)
+                    cosines[std::clamp(cosine.below + c, 0, n_cosines - 1)] +=
+                        static_cast<float>(in_shell * cosine.weight(c));
+            }
+        }
+    }
 }
 
 // `histogram` must hold zeros.

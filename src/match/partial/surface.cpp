@@ -36,6 +36,10 @@ std::vector<Index> spread_out(const std::vector<Index>& vertices, const Points& 
     return chosen;
 }
 
+double shot_spacing(double area, const SurfaceTuning& tuning) {
+    return std::max(tuning.spacing, std::sqrt(area / tuning.max_points));
+}
+
 MatrixF lower_bounds(const Surface& surface) {
     MatrixF low = surface.between.high;
     for (float& d : low.reshaped())
@@ -87,8 +91,7 @@ Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& l
       normals(vertex_normals(mesh)),
       on_boundary(static_cast<std::size_t>(mesh.n_vertices()), 0),
       samples(landmarks),
-      shot(std::make_shared<descriptor::ShotSurface>(
-          mesh, normals, std::max(tuning.spacing, std::sqrt(area / tuning.max_points)))) {
+      shot(std::make_shared<descriptor::ShotSurface>(mesh, normals, shot_spacing(area, tuning))) {
     const DistanceGraph graph(mesh);
     for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(this->mesh))) {
         on_boundary[static_cast<std::size_t>(v)] = on_boundary[static_cast<std::size_t>(w)] = 1;
@@ -137,6 +140,11 @@ Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tun
     result.boundary_length *= factor;
     result.rows = grown(result.rows);
     result.between = {grown(result.between.low), grown(result.between.high)};
+    if (factor < 1) {  // fewer points are as dense
+        result.shot = std::make_shared<descriptor::ShotSurface>(surface.mesh, surface.normals,
+                                                                shot_spacing(result.area, tuning) / factor);
+        result.shot_scale = 1;
+    }
     result.shot_scale *= factor;
     result.signatures = result.signatures_of(result.samples, tuning.radii);
     return result;
