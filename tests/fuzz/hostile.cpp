@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// hostile FIRST COUNT: matches, transfers, morphs, pictures and shows the hostile pairs of these seeds, with
-// 1, 2 and 8 threads. A pair fails if that ends otherwise than with a result or a refusal, takes over 10 s of
-// CPU, or gives other bytes for another number of threads. Prints one JSON line; the exit status is 1 if a
-// pair failed or the memory reached 1 GB.
+// hostile FIRST COUNT [small]: matches, transfers, morphs, pictures and shows the hostile pairs of these
+// seeds, or those of small meshes, with 1, 2 and 8 threads. A pair fails if that ends otherwise than with a
+// result or a refusal, takes over 10 s of CPU, or gives other bytes for another number of threads. Prints one
+// JSON line; the exit status is 1 if a pair failed or the memory reached 1 GB.
 #include "fuzz/hostile_mesh.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -22,6 +22,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <sys/resource.h>
 
@@ -142,13 +143,13 @@ double megabytes_at_most() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-int run(std::uint64_t first, std::uint64_t count) {
+int run(std::uint64_t first, std::uint64_t count, HostileSize size) {
     std::map<std::string, int> refusals;
     int failures = 0;
     double longest = 0;
     std::uint64_t longest_seed = first;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
-        const HostilePair pair = make_hostile_pair(seed);
+        const HostilePair pair = make_hostile_pair(seed, size);
         Bytes alone;
         for (const int n_threads : {1, 2, 8}) {
             const double start = cpu_seconds();
@@ -183,9 +184,12 @@ int run(std::uint64_t first, std::uint64_t count) {
 }  // namespace counterpart::fuzz
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::cerr << "hostile FIRST COUNT: the seeds FIRST to FIRST + COUNT - 1\n";
+    using counterpart::fuzz::HostileSize;
+    const bool is_small = argc == 4 && std::string_view(argv[3]) == "small";
+    if (argc != 3 && !is_small) {
+        std::cerr << "hostile FIRST COUNT [small]: the seeds FIRST to FIRST + COUNT - 1\n";
         return EXIT_FAILURE;
     }
-    return counterpart::fuzz::run(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+    return counterpart::fuzz::run(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10),
+                                  is_small ? HostileSize::small : HostileSize::mixed);
 }

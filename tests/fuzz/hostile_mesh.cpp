@@ -23,16 +23,36 @@ TriangleMesh joined(const TriangleMesh& one, const TriangleMesh& two) {
     return both;
 }
 
-TriangleMesh base_mesh(Random& random) {
+int from(int least, int count, Random& random) {
+    return least + static_cast<int>(random.below(static_cast<std::uint64_t>(count)));
+}
+
+// In variables, since compilers differ in which argument they work out first.
+TriangleMesh small_mesh(Random& random) {
+    const int kind = from(0, 4, random), n = from(6, 5, random), m = from(4, 3, random);
+    switch (kind) {
+        case 0:
+            return make_icosphere(1);
+        case 1:
+            return make_torus(n, m);
+        case 2:
+            return make_grid(n - 3, m);
+        default:
+            return joined(make_icosphere(n % 2), make_grid(n - 4, 4));
+    }
+}
+
+TriangleMesh base_mesh(Random& random, HostileSize size) {
+    if (size == HostileSize::small) return small_mesh(random);
     switch (random.below(6)) {
         case 0:
-            return make_icosphere(1 + static_cast<int>(random.below(3)));
+            return make_icosphere(from(1, 3, random));
         case 1:
             return make_torus(8 + static_cast<int>(random.below(12)), 5 + static_cast<int>(random.below(6)));
         case 2:
             return make_grid(4 + static_cast<int>(random.below(16)), 4 + static_cast<int>(random.below(8)));
         case 3:
-            return joined(base_mesh(random), base_mesh(random));
+            return joined(base_mesh(random, size), base_mesh(random, size));
         default: {
             BodyOptions options;
             options.subdivisions = 0;
@@ -144,12 +164,12 @@ void make_hostile(TriangleMesh& mesh, Random& random) {
 
 }  // namespace
 
-HostilePair make_hostile_pair(std::uint64_t seed) {
+HostilePair make_hostile_pair(std::uint64_t seed, HostileSize size) {
     Random random(seed);
     HostilePair pair;
-    pair.source = base_mesh(random);
+    pair.source = base_mesh(random, size);
     if (random.below(5) == 0) {
-        pair.target = base_mesh(random);
+        pair.target = base_mesh(random, size);
     } else {
         DeformOptions deformation;
         deformation.bend = random.uniform(0, 1);
