@@ -14,7 +14,7 @@
 # tests/fuzz/cases.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-readers="off obj ply stl msh medit vtk ele gltf npy map surface_map"
+readers="off obj ply stl msh medit vtk ele gltf npy map surface_map landmarks"
 matchers="exact differences spectral partial"
 
 # program_of PRESET TARGET: its path, built
@@ -58,7 +58,7 @@ counts() {
 coverage() {
   local target program source found
   declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]=vtk [ele]=ele
-    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_file
+    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_file [landmarks]=landmark_file
     [surface_map]=surface_map_file [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
   for target in $readers gltf_writing; do
     program=$(program_of fuzz-coverage "${target%_writing}")

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/landmark_bytes.hpp"
 #include "io/text_cursor.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -29,10 +30,9 @@ Index vertex_number(double value, const char* side, MeshView mesh, const io::Tex
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file, MeshView source,
-                                                    MeshView target) {
-    const std::string bytes = read_whole_file(file);
-    io::TextCursor text(bytes, file.string());
+std::vector<std::pair<Index, Index>> io::parse_landmarks(std::string_view bytes, const std::string& name,
+                                                         MeshView source, MeshView target) {
+    TextCursor text(bytes, name);
     std::vector<std::pair<Index, Index>> landmarks;
     while (text.next_content()) {
         std::vector<double> values;
@@ -48,8 +48,13 @@ std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path&
         }
         text.next_line();
     }
-    if (landmarks.empty()) throw IoError(fmt::format("{}: no landmarks in the file", file.string()));
+    if (landmarks.empty()) throw IoError(fmt::format("{}: no landmarks in the file", name));
     return landmarks;
+}
+
+std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file, MeshView source,
+                                                    MeshView target) {
+    return io::parse_landmarks(read_whole_file(file), file.string(), source, target);
 }
 
 }  // namespace counterpart

@@ -9,6 +9,7 @@
 #include "io/formats.hpp"
 #include "io/gltf_primitives.hpp"
 #include "io/gltf_store.hpp"
+#include "io/landmark_bytes.hpp"
 #include "io/map_bytes.hpp"
 #include "io/npy_bytes.hpp"
 
@@ -154,6 +155,20 @@ void read_surface_map_bytes(std::string_view bytes) {
     }
 }
 
+// Of a square, its corners far from each other and from the origin.
+void read_landmark_bytes(std::string_view bytes) {
+    static const TriangleMesh square{(Points(4, 3) << 9, 0, 0, 9, 5, 0, -9, 5, 0, -9, 0, 1).finished(),
+                                     (Triangles(2, 3) << 0, 1, 2, 0, 2, 3).finished()};
+    const auto landmarks = parse_landmarks(bytes, name, square, square);
+    require(!landmarks.empty());
+    std::string written;
+    for (const auto& [s, t] : landmarks) {
+        require(s >= 0 && s < square.n_vertices() && t >= 0 && t < square.n_vertices());
+        written += std::to_string(s) + ' ' + std::to_string(t) + '\n';
+    }
+    require(parse_landmarks(written, name, square, square) == landmarks);
+}
+
 void read_npy_bytes(std::string_view bytes) {
     const Matrix matrix = parse_npy(bytes, name);
     const std::string written = npy_bytes(matrix);
@@ -175,7 +190,7 @@ void read_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 12> readers = {{{"off", read_or_refused<read_off_bytes>},
+constexpr std::array<Target, 13> readers = {{{"off", read_or_refused<read_off_bytes>},
                                              {"obj", read_or_refused<read_obj_bytes>},
                                              {"ply", read_or_refused<read_ply_bytes>},
                                              {"stl", read_or_refused<read_stl_bytes>},
@@ -186,7 +201,8 @@ constexpr std::array<Target, 12> readers = {{{"off", read_or_refused<read_off_by
                                              {"gltf", read_or_refused<read_and_write_gltf>},
                                              {"npy", read_or_refused<read_npy_bytes>},
                                              {"map", read_or_refused<read_map_bytes>},
-                                             {"surface_map", read_or_refused<read_surface_map_bytes>}}};
+                                             {"surface_map", read_or_refused<read_surface_map_bytes>},
+                                             {"landmarks", read_or_refused<read_landmark_bytes>}}};
 
 }  // namespace
 
