@@ -3,51 +3,39 @@
 # SPDX-License-Identifier: MIT
 #
 # commands.sh PROGRAM: the program's commands on a mesh that it makes, and what it says to wrong command lines.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
-fail() { echo "FAILED: $*"; exit 1; }
-expect_status() {  # STATUS COMMAND...
-  local expected=$1 status=0
-  shift
-  "$program" "$@" > out 2> err || status=$?
-  [ $status -eq "$expected" ] || { cat out err; fail "$* ended with $status, not $expected"; }
-}
-
-expect_status 0 --help
-expect_status 0 --version
-expect_status 2
-expect_status 2 inspect
-expect_status 2 inspect a b c
-expect_status 2 nonsense
-expect_status 2 deform body a.obj --bend 1000
-expect_status 1 deform body a.obj --truth truth.txt
+ends 0 --help
+ends 0 --version
+ends 2
+ends 2 inspect
+ends 2 inspect a b c
+ends 2 nonsense
+ends 2 deform body a.obj --bend 1000
+ends 1 deform body a.obj --truth truth.txt
 [ ! -e a.obj ] || fail "a refused command left a file"
 
-expect_status 0 deform body source.obj
-expect_status 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
+ends 0 deform body source.obj
+ends 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"
-expect_status 0 inspect target.off --report report.json
+ends 0 inspect target.off --report report.json
 grep -q 'components  1' out || fail "inspect does not count the components"
 python3 -c "import json; r = json.load(open('report.json')); assert r['closed'] and r['components'][0]['genus'] == 0, r"
 
-for format in off obj ply; do expect_status 0 convert source.obj copy.$format -q; done
-for format in off ply; do expect_status 0 convert copy.$format again.obj -q; cmp -s again.obj copy.obj || fail "$format"; done
+for format in off obj ply; do ends 0 convert source.obj copy.$format -q; done
+for format in off ply; do ends 0 convert copy.$format again.obj -q; cmp -s again.obj copy.obj || fail "$format"; done
 for format in glb gltf; do
-  expect_status 0 convert source.obj copy.$format -q
-  expect_status 0 convert copy.$format once.obj -q
-  expect_status 0 convert once.obj twice.$format -q
+  ends 0 convert source.obj copy.$format -q
+  ends 0 convert copy.$format once.obj -q
+  ends 0 convert once.obj twice.$format -q
   cmp -s copy.$format twice.$format || fail "$format is not what it was"
 done
-expect_status 0 reorder once.obj copy.glb -o reordered.glb -q
-expect_status 0 convert reordered.glb reordered.obj -q
+ends 0 reorder once.obj copy.glb -o reordered.glb -q
+ends 0 convert reordered.glb reordered.obj -q
 cmp -s reordered.obj once.obj || fail "reorder changed what was in order"
-expect_status 0 deform once.obj bent.obj --bend 20 -q
-expect_status 0 morph copy.glb bent.obj -n 3 -o morph.glb -q
+ends 0 deform once.obj bent.obj --bend 20 -q
+ends 0 morph copy.glb bent.obj -n 3 -o morph.glb -q
 python3 -c "
 import json, struct
 bytes = open('morph.glb', 'rb').read()
@@ -55,7 +43,7 @@ mesh = json.loads(bytes[20:20 + struct.unpack('<I', bytes[12:16])[0]])['meshes']
 assert mesh['extras']['targetNames'] == ['frame_%04d' % i for i in range(1, 5)], mesh
 assert len(mesh['primitives'][0]['targets']) == 4, mesh"
 head -c 5000 copy.glb > cut.glb
-expect_status 1 convert cut.glb never.glb
+ends 1 convert cut.glb never.glb
 [ "$(wc -l < err)" -eq 1 ] || fail "not one line: $(cat err)"
 [ ! -e never.glb ] || fail "a refused command left a file"
 python3 -c "
@@ -63,17 +51,17 @@ import json
 document = json.load(open('copy.gltf'))
 document['images'] = [{'uri': 'gone.png'}]
 json.dump(document, open('textured.gltf', 'w'))"
-expect_status 1 convert textured.gltf never.glb
+ends 1 convert textured.gltf never.glb
 grep -q 'texture image 0 is missing: there is no file gone.png' err || fail "the missing texture is not named: $(cat err)"
 [ ! -e never.glb ] || fail "a refused command left a file"
 
-expect_status 0 match source.obj target.off --method nearest -o map.npy --report report.json
+ends 0 match source.obj target.off --method nearest -o map.npy --report report.json
 python3 -c "import json; assert json.load(open('report.json'))['source_vertices'] > 10000"
-expect_status 2 match source.obj target.off --method nonsense -o map.txt
+ends 2 match source.obj target.off --method nonsense -o map.txt
 
 # ---- Ctrl-C: code 130, and nothing is left behind ----
-expect_status 0 deform body large.off --subdivisions 3 -q
-expect_status 0 deform large.off bent.off --bend 40 --shuffle 3 -q
+ends 0 deform body large.off --subdivisions 3 -q
+ends 0 deform large.off bent.off --bend 40 --shuffle 3 -q
 "$program" match large.off bent.off --method spectral -o interrupted.txt 2> err &
 sleep 0.7
 kill -INT $!

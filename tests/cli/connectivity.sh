@@ -4,25 +4,7 @@
 #
 # connectivity.sh PROGRAM: polygons with their texture coordinates, drawings in the plane and solids of tetrahedra through
 # the commands; what is wrong with such files is named, and nothing is written.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-run() {  # ARGUMENTS...
-  timeout 60 "$program" "$@" > out 2> err || { cat out err; fail "$*"; }
-}
-refuse() {  # WORDS ARGUMENTS...
-  local words=$1 status=0
-  shift
-  timeout 60 "$program" "$@" > out 2> err || status=$?
-  [ $status -eq 1 ] || { cat out err; fail "$* ended with $status, not 1"; }
-  grep -q -- "$words" err || { cat err; fail "$* did not say '$words'"; }
-  [ -z "$(ls none* 2> /dev/null)" ] || fail "$* left a file"
-}
-says() { grep -q -- "$1" err || { cat err; fail "no '$1' said"; }; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
 cat > files.py << 'END'
 import math, random
@@ -174,7 +156,7 @@ for method in exact frontiers; do
   run match drawing.ele bent_shuffled.obj --method $method -o map.txt
   cmp -s map.txt truth.txt || fail "drawing, $method: the map is not the true one"
 done
-refuse "mirror image" match drawing.ele mirrored.ele --method exact -o none.txt
+refuse 1 "mirror image" match drawing.ele mirrored.ele --method exact -o none.txt
 run match drawing.ele mirrored.ele --method exact --allow-mirror -o map.txt
 cmp -s map.txt <(seq 0 650) || fail "mirrored drawing: the map is not the true one"
 run align drawing.ele bent_shuffled.obj --map truth.txt -o aligned.obj
@@ -188,11 +170,11 @@ run render drawing.ele bent_shuffled.obj --map truth.txt --view top -o picture.p
 run convert outline.poly outline.obj
 grep -q "^f 1 2 3 4 5" outline.obj || fail "the outline is not the polygon"
 sed 's/^5 0$/4 0/; /^5 5 1/d' outline.poly > open.poly
-refuse "one segment" convert open.poly none.obj
+refuse 1 "one segment" convert open.poly none.obj
 
 # ---- solids ----
 run convert body.off solid.mesh --fill 14
-refuse "--fill makes a solid" convert body.off none.obj --fill 14
+refuse 1 "--fill makes a solid" convert body.off none.obj --fill 14
 python3 - << 'END'
 from files import *
 v, cells = read_medit("solid.mesh")
@@ -233,7 +215,7 @@ w, ordered = read_medit("ordered.mesh")
 assert ordered == cells and all(abs(q[0] - (2 + p[1]) * math.sin(p[0] / 2)) < 1e-12 for p, q in zip(v, w))
 assert read_medit("aligned.mesh")[1] == cells
 END
-refuse "bent.mesh has\|inverted.mesh:[0-9]*: tetrahedron 5 is inverted" match solid.mesh inverted.mesh -o none.txt
-refuse "different connectivity: the source has .* tetrahedra" match solid.mesh half.mesh --method exact -o none.txt
-refuse "is not used where solids" match solid.mesh bent.mesh --weld -o none.txt
+refuse 1 "bent.mesh has\|inverted.mesh:[0-9]*: tetrahedron 5 is inverted" match solid.mesh inverted.mesh -o none.txt
+refuse 1 "different connectivity: the source has .* tetrahedra" match solid.mesh half.mesh --method exact -o none.txt
+refuse 1 "is not used where solids" match solid.mesh bent.mesh --weld -o none.txt
 echo passed

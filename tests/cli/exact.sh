@@ -4,24 +4,7 @@
 #
 # exact.sh PROGRAM: `match --method exact`, `--method auto` and `reorder` on meshes made here: what is the same is found,
 # what differs or is ambiguous is said.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-run() {  # ARGUMENTS...
-  timeout 60 "$program" "$@" > out 2> err || { cat out err; fail "$*"; }
-}
-refuse() {  # WORDS ARGUMENTS...
-  local words=$1 status=0
-  shift
-  timeout 60 "$program" "$@" > out 2> err || status=$?
-  [ $status -eq 1 ] || { cat out err; fail "$* ended with $status, not 1"; }
-  cat out err | grep -q -- "$words" || { cat out err; fail "$* did not say '$words'"; }
-}
-says() { cat out err | grep -q -- "$1" || { cat out err; fail "no '$1' said"; }; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
 # A figure in another pose, moved and shuffled; edits of it; shapes that leave choices.
 cat > make.py << 'END'
@@ -84,8 +67,8 @@ says "have the opposite winding"
 run match source.off reversed.off -o reversed.txt --method exact
 says "winding is reversed"
 
-refuse "is flipped" match source.off flipped.off -o no.txt --method exact --report report.json
-refuse "--allow-differences" match source.off flipped.off -o no.txt --method exact
+refuse 1 "is flipped" match source.off flipped.off -o no.txt --method exact --report report.json
+refuse 1 "--allow-differences" match source.off flipped.off -o no.txt --method exact
 [ ! -e no.txt ] || fail "a refused match left a map"
 run match source.off flipped.off -o flipped.txt --allow-differences --report report.json
 cmp -s flipped.txt truth.txt || fail "flipped: the map is not the true one"
@@ -98,8 +81,8 @@ run match source.off hole.off -o hole.txt --allow-differences
 says "missing"
 cmp -s hole.txt truth.txt || fail "hole: the map is not the true one"
 
-refuse "connect" match torus_a.off torus_b.off -o no.txt --method exact
-refuse "share no part" match source.off torus_a.off -o no.txt --method exact
+refuse 1 "connect" match torus_a.off torus_b.off -o no.txt --method exact
+refuse 1 "share no part" match source.off torus_a.off -o no.txt --method exact
 run deform tetrahedra.off shuffled.off --shuffle 6 --move --truth tetrahedra.txt
 run match tetrahedra.off shuffled.off -o map.txt --method exact
 says "10000 components of 4 triangles are interchangeable"
@@ -116,6 +99,6 @@ run reorder two.off two_off.off -o back.off
 cmp -s back.off <("$program" convert two.off copy.off -q; cat copy.off) || fail "reorder did not give back the positions"
 run reorder quads.obj quads.obj -o quads_back.obj
 diff quads.obj quads_back.obj > /dev/null || fail "reorder changed a file that is in order already"
-refuse "different connectivity" reorder source.off torus_a.off -o no.off
+refuse 1 "different connectivity" reorder source.off torus_a.off -o no.off
 [ ! -e no.off ] || fail "a refused reorder left a file"
 echo passed

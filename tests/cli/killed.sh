@@ -5,15 +5,9 @@
 # killed.sh PROGRAM [TIMES [SEED]]: kills commands that write, at random moments (default: 20 of them, seed 1). What they
 # were writing is then whole, byte for byte what the command writes when it is left alone, or absent; and the next run
 # leaves nothing of the killed one behind.
-set -euo pipefail
-program=$1
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 times=${2:-20}
 RANDOM=${3:-1}
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
 
 "$program" deform body a.glb -q
 "$program" deform a.glb b.obj --bend 40 --shuffle 3 --truth truth.txt -q

@@ -4,25 +4,13 @@
 #
 # mistakes.sh PROGRAM: what people do wrong at first. Nothing is destroyed, nothing is ignored, and every refusal is a
 # sentence that says what to do.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
-fail() { echo "FAILED: $*"; exit 1; }
-run() {  # ARGUMENTS...
-  timeout 60 "$program" "$@" > out 2> err || { cat out err; fail "$*"; }
+refuse() {  # STATUS WORDS ARGUMENTS...: in one sentence
+  ends "$1" "${@:3}"
+  [ "$(wc -l < err)" -eq 1 ] && grep -q '^error: ' err || { cat err; fail "${*:3} did not say one sentence"; }
+  says "$2"
 }
-refuse() {  # STATUS WORDS ARGUMENTS...
-  local expected=$1 words=$2 status=0
-  shift 2
-  timeout 60 "$program" "$@" > out 2> err || status=$?
-  [ $status -eq "$expected" ] || { cat out err; fail "$* ended with $status, not $expected"; }
-  [ "$(wc -l < err)" -eq 1 ] && grep -q '^error: ' err || { cat err; fail "$* did not say one sentence"; }
-  grep -q -- "$words" err || { cat err; fail "$* did not say '$words'"; }
-}
-says() { cat out err | grep -q -- "$1" || { cat out err; fail "no '$1' said"; }; }
 
 run deform body a.obj --subdivisions 1 -q
 run deform a.obj b.obj --bend 20 --shuffle 3 --truth truth.txt -q

@@ -4,13 +4,8 @@
 #
 # recipes.sh PROGRAM RECIPES: every command of docs/recipes.md ends well on the files that it speaks of, and writes what
 # it is to write.
-set -euo pipefail
-program=$1 recipes=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
+recipes=$2
 
 "$program" deform body old.obj --subdivisions 1 -q
 "$program" deform old.obj new.obj --bend 15 --shuffle 3 --truth truth.txt -q

@@ -4,24 +4,7 @@
 #
 # spectral.sh PROGRAM: `match --method spectral` with its options, `spectrum` and `descriptors`, on meshes made here;
 # what is doubtful must be said.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-run() {  # ARGUMENTS...
-  timeout 60 "$program" "$@" > out 2> err || { cat err; fail "$*"; }
-}
-refuse() {  # STATUS WORDS ARGUMENTS...
-  local expected=$1 words=$2 status=0
-  shift 2
-  timeout 60 "$program" "$@" > out 2> err || status=$?
-  [ $status -eq "$expected" ] || { cat err; fail "$* ended with $status, not $expected"; }
-  grep -q -- "$words" err || { cat err; fail "$* did not say '$words'"; }
-}
-says() { grep -q -- "$1" err || { cat err; fail "no '$1' said"; }; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
 # Two figures in two poses, the second with every triangle cut in four and another numbering; and shapes without limbs.
 cat > make.py << 'END'

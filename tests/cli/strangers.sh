@@ -4,13 +4,7 @@
 #
 # strangers.sh PROGRAM: models of strangers. A glTF that names a file outside its folder is refused in one line by every
 # command, and nothing of that file is in any output; and file endings in capitals are the same endings.
-set -euo pipefail
-program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 
 "$program" deform body good.obj --subdivisions 0 -q
 mkdir -p model/textures elsewhere

@@ -4,25 +4,8 @@
 #
 # transfer.sh PROGRAM CHARACTER_FILES: everything a character has, matched, reordered and transferred to a shuffled copy
 # that was exported anew; what it becomes on another mesh; and what `transfer` says to input that does not fit.
-set -euo pipefail
-program=$1 character_files=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() { echo "FAILED: $*"; exit 1; }
-run() {  # ARGUMENTS...
-  timeout 60 "$program" "$@" > out 2> err || { cat err; fail "$*"; }
-}
-refuse() {  # STATUS WORDS ARGUMENTS...
-  local expected=$1 words=$2 status=0
-  shift 2
-  timeout 60 "$program" "$@" > out 2> err || status=$?
-  [ $status -eq "$expected" ] || { cat err; fail "$* ended with $status, not $expected"; }
-  grep -q -- "$words" err || { cat err; fail "$* did not say '$words'"; }
-  [ -z "$(ls none* 2> /dev/null)" ] || fail "$* left a file"
-}
-says() { grep -q -- "$1" err || { cat err; fail "no '$1' said"; }; }
+. "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
+character_files=$2
 
 # A reader of its own: what the files hold at each corner of each triangle, whatever the order of anything.
 cat > glb.py << 'END'
