@@ -8,14 +8,19 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
+#include <counterpart/io/base_colors.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
+#include <counterpart/match/exact.hpp>
+#include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/render/camera.hpp>
 #include <counterpart/viewer/viewer_page.hpp>
 
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,6 +56,39 @@ ViewerValues values_of(const std::filesystem::path& file, Index n_vertices) {
     return {file.stem().string(), {values.data(), values.data() + values.size()}};
 }
 
+ViewerAppearance appearance_of(AttributedMesh& content, const std::filesystem::path& file,
+                               const CommonOptions& common) {
+    ViewerAppearance appearance;
+    BaseColors found = read_base_colors(content, file, common.read);
+    for (const std::string& notice : found.notices) say(common, file.string() + ": " + notice);
+    if (!found.images.empty())
+        appearance = {std::move(content.texture_coordinates[0]), std::move(found.images),
+                      std::move(found.image_of_triangle)};
+    if (!content.colors.empty()) appearance.colors = std::move(content.colors[0]);
+    return appearance;
+}
+
+// Source vertices of components that several others equal, numbered by their kind; nothing if there are none
+// or the meshes are not connected alike.
+std::optional<ViewerValues> alike_parts(const TriangleMesh& source, const TriangleMesh& target,
+                                        const CommonOptions& common) {
+    const Components components = connected_components(Adjacency(source));
+    if (components.count < 2) return std::nullopt;
+    const ExactResult exact = match_exact(source, target, {.n_threads = common.threads});
+    if (!exact.identical || exact.interchangeable.empty()) return std::nullopt;
+    std::vector<double> kind_of(static_cast<std::size_t>(components.count), std::nan(""));
+    double kind = 0;
+    for (const EqualComponents& equal : exact.interchangeable) {
+        ++kind;
+        for (const Index v : equal.source)
+            kind_of[static_cast<std::size_t>(components.of_vertex[static_cast<std::size_t>(v)])] = kind;
+    }
+    ViewerValues values{"parts alike (may be exchanged), by kind", {}};
+    for (const Index component : components.of_vertex)
+        values.values.push_back(kind_of[static_cast<std::size_t>(component)]);
+    return values;
+}
+
 // The first true target vertex of each source vertex.
 std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
     std::vector<Index> image(static_cast<std::size_t>(n_source), VertexMap::unmatched);
@@ -63,8 +101,10 @@ std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
 
 void run(const ViewCommand& command) {
     Stopwatch watch;
-    const TriangleMesh source = load_mesh(command.source, command.common);
-    const TriangleMesh target = load_mesh(command.target, command.common);
+    AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
+    AttributedMesh target_content = load_attributed_mesh(command.target, command.common);
+    const TriangleMesh& source = source_content.mesh;
+    const TriangleMesh& target = target_content.mesh;
     const MeshPair pair{source, target, command.source, command.target};
     std::vector<LoadedMap> loaded;
     std::vector<ViewerMap> maps;
@@ -80,6 +120,10 @@ void run(const ViewCommand& command) {
     options.up = render::find_camera(source, {.direction = "front", .up = command.up}).row(1).transpose();
     for (const std::filesystem::path& file : command.values)
         options.values.push_back(values_of(file, source.n_vertices()));
+    if (std::optional<ViewerValues> alike = alike_parts(source, target, command.common))
+        options.values.push_back(std::move(*alike));
+    options.source_appearance = appearance_of(source_content, command.source, command.common);
+    options.target_appearance = appearance_of(target_content, command.target, command.common);
     options.source_name = command.source.stem().string();
     options.target_name = command.target.stem().string();
     const std::optional<GroundTruth> truth = read_truth(command.truth);

@@ -96,7 +96,8 @@ ElasticSurface::ElasticSurface(MeshView rest) : system_(std::make_unique<System>
 
 ElasticSurface::~ElasticSurface() = default;
 
-Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView start, int rounds) {
+Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView start, int rounds,
+                             const std::vector<char>& spoiled) {
     SparseMatrix sum = system_->stiffness;
     for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
     system_->factor.factorize(sum);
@@ -109,6 +110,7 @@ Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView 
     for (int round = 0; round < rounds; ++round) {
         system_->similarities = local_similarities(system_->stiffness, system_->rest, now, scale_bounds,
                                                    std::move(system_->similarities));
+        if (!spoiled.empty()) continue_inward(system_->stiffness, spoiled, system_->similarities);
         const Eigen::MatrixXd right =
             pulled + moved_differences(system_->stiffness, system_->rest, system_->similarities);
         now = system_->factor.solve(right);

@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ class SurfaceFit {
     FitResult run(const SurfaceMap& map) {
         const double finest = options_.stiffness * mean_edge_length(rest_);
         int done = 0;
-        const int all = static_cast<int>(map_lengths.size()) + surface_levels + let_go_rounds;
+        const int all = static_cast<int>(map_lengths.size()) + surface_levels + mending_rounds;
         const auto tick = [&] { report_progress(options_.progress, static_cast<double>(++done) / all); };
         for (const double length : map_lengths) {
             towards_images(map, std::max(length * size_, finest));
@@ -93,15 +93,11 @@ class SurfaceFit {
             const double length = first * std::pow(finest / first, share);
             for (int round = 0; round < rounds_per_level; ++round) {
                 towards_surface(length);
-                let_go(recovery);
+                let_go(corners_of(spoiled(), 0), letting_go, recovery);
             }
             tick();
         }
-        for (int round = 0; round < let_go_rounds; ++round) {
-            if (!let_go(1)) break;
-            towards_surface(finest);
-            tick();
-        }
+        mend(finest, tick);
         report_progress(options_.progress, 1);
         return measured();
     }
@@ -157,7 +153,7 @@ class SurfaceFit {
         has_moved_ = true;
     }
 
-    void towards_surface(double length) {
+    void towards_surface(double length, const std::vector<char>& spoiled = {}) {
         const Points normals = vertex_normals({now_, rest_.triangles});
         Points towards = now_;
         Vector pull = Vector::Zero(now_.rows());
@@ -176,7 +172,7 @@ class SurfaceFit {
             pull[v] = hold_[v] * area_[v] / (length * length);
         });
         add_landmarks(towards, pull, length);
-        now_ = elastic_.drawn(towards, pull, now_, 1);
+        now_ = elastic_.drawn(towards, pull, now_, 1, spoiled);
     }
 
     bool is_at_rim(const numerics::ClosestPoint& point) const {
@@ -194,31 +190,75 @@ class SurfaceFit {
         return result;
     }
 
-    // The corners of triangles that collapse or fold hold less to the scan, the others more again by
-    // `recover`; whether there are such triangles.
-    bool let_go(double recover) {
+    // Patches around spoiled triangles turn as their surroundings do and let go of the scan, and they grow;
+    // the best of the rounds is kept.
+    template <typename Tick>
+    void mend(double length, const Tick& tick) {
+        Points best = now_;
+        double least_harm = std::numeric_limits<double>::infinity();
+        for (int round = 0;; ++round) {
+            const std::vector<char> bad = spoiled();
+            const auto n_bad = std::count(bad.begin(), bad.end(), 1);
+            const auto n_vanishing = (area_ratios().array() < vanishing).count();
+            const double harm =
+                static_cast<double>(n_bad) + vanishing_harm * static_cast<double>(n_vanishing);
+            if (harm < least_harm) {
+                least_harm = harm;
+                best = now_;
+            }
+            if (n_bad == 0 || round == mending_rounds) break;
+            const std::vector<char> patch = corners_of(bad, 1 + round / rounds_per_ring);
+            let_go(corners_of(bad, 0), letting_go, 1);
+            let_go(patch, letting_go_around, 1);
+            towards_surface(length, patch);
+            tick();
+        }
+        now_ = std::move(best);
+    }
+
+    // The corners of these triangles, and the vertices up to so many edges from them.
+    std::vector<char> corners_of(const std::vector<char>& triangles, int rings) const {
+        std::vector<char> of_triangle = triangles, of_vertex(static_cast<std::size_t>(now_.rows()), 0);
+        for (int ring = 0; ring <= rings; ++ring) {
+            for (Index t = 0; t < rest_.n_triangles(); ++t)
+                if (of_triangle[static_cast<std::size_t>(t)])
+                    for (const Index v : rest_.triangles.row(t)) of_vertex[static_cast<std::size_t>(v)] = 1;
+            for (Index t = 0; t < rest_.n_triangles(); ++t)
+                for (const Index v : rest_.triangles.row(t))
+                    if (of_vertex[static_cast<std::size_t>(v)]) of_triangle[static_cast<std::size_t>(t)] = 1;
+        }
+        return of_vertex;
+    }
+
+    // The triangles' areas relative to those in the template, both relative to the whole surface; 1 for those
+    // that have none there.
+    Vector area_ratios() const {
         const Vector areas = triangle_areas({now_, rest_.triangles});
         const double whole = areas.sum() / rest_triangle_area_.sum();
-        std::vector<char> bad(static_cast<std::size_t>(areas.size()), 0);
-        for (Eigen::Index t = 0; t < areas.size(); ++t)
-            bad[static_cast<std::size_t>(t)] = areas[t] < collapsing * whole * rest_triangle_area_[t];
+        return (rest_triangle_area_.array() > 0)
+            .select(areas.array() / rest_triangle_area_.array() / whole, 1);
+    }
+
+    // The triangles that collapse, or fold where the template does not.
+    std::vector<char> spoiled() const {
+        const Vector ratios = area_ratios();
+        std::vector<char> bad(static_cast<std::size_t>(ratios.size()), 0);
+        for (Eigen::Index t = 0; t < ratios.size(); ++t)
+            bad[static_cast<std::size_t>(t)] = ratios[t] < collapsing;
         const std::vector<char> folds = folded(now_);
         for (std::size_t e = 0; e < neighbors_.size(); ++e) {
             if (!folds[e] || own_folds_[e]) continue;
             bad[static_cast<std::size_t>(neighbors_[e].first)] = 1;
             bad[static_cast<std::size_t>(neighbors_[e].second)] = 1;
         }
-        std::vector<char> touched(static_cast<std::size_t>(now_.rows()), 0);
-        bool any = false;
-        for (Index t = 0; t < rest_.n_triangles(); ++t) {
-            if (!bad[static_cast<std::size_t>(t)]) continue;
-            any = true;
-            for (const Index v : rest_.triangles.row(t)) touched[static_cast<std::size_t>(v)] = 1;
-        }
+        return bad;
+    }
+
+    // These vertices keep a share of their hold on the scan, the others regain theirs by a factor.
+    void let_go(const std::vector<char>& vertices, double kept, double regained) {
         for (Eigen::Index v = 0; v < hold_.size(); ++v)
-            hold_[v] = touched[static_cast<std::size_t>(v)] ? hold_[v] * letting_go
-                                                            : std::min(1.0, hold_[v] * recover);
-        return any;
+            hold_[v] =
+                vertices[static_cast<std::size_t>(v)] ? hold_[v] * kept : std::min(1.0, hold_[v] * regained);
     }
 
     FitResult measured() const {
@@ -236,13 +276,7 @@ class SurfaceFit {
         };
         result.folded_edges = share(folded(now_));
         result.own_folded_edges = share(own_folds_);
-        const Vector areas = triangle_areas({now_, rest_.triangles});
-        const double whole = areas.sum() / rest_triangle_area_.sum();
-        result.least_area_ratio = 1;
-        for (Eigen::Index t = 0; t < areas.size(); ++t)
-            if (rest_triangle_area_[t] > 0)
-                result.least_area_ratio =
-                    std::min(result.least_area_ratio, areas[t] / rest_triangle_area_[t] / whole);
+        result.least_area_ratio = std::min(1.0, area_ratios().minCoeff());
         result.n_free = static_cast<Index>(std::count(reached_.begin(), reached_.end(), 0));
         return result;
     }

@@ -6,6 +6,7 @@
 #include "numerics/rotation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -37,6 +38,40 @@ std::vector<LocalSimilarity> local_similarities(const SparseMatrix& stiffness, P
                                           bounds.least, bounds.largest);
     });
     return similarities;
+}
+
+void continue_inward(const SparseMatrix& stiffness, const std::vector<char>& spoiled,
+                     std::vector<LocalSimilarity>& similarities) {
+    std::vector<char> known = spoiled;
+    for (char& k : known) k = k == 0;
+    std::vector<Eigen::Index> left;
+    for (std::size_t i = 0; i < spoiled.size(); ++i)
+        if (spoiled[i] != 0) left.push_back(static_cast<Eigen::Index>(i));
+    while (!left.empty()) {
+        std::vector<std::pair<Eigen::Index, LocalSimilarity>> found;
+        std::vector<Eigen::Index> later;
+        for (const Eigen::Index v : left) {
+            Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+            double scales = 0, count = 0;
+            for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
+                const auto neighbor = static_cast<std::size_t>(it.row());
+                if (it.row() == v || known[neighbor] == 0) continue;
+                rotations += similarities[neighbor].rotation;
+                scales += similarities[neighbor].scale;
+                ++count;
+            }
+            if (count > 0)
+                found.push_back({v, {numerics::fit_rotation(rotations).rotation, scales / count}});
+            else
+                later.push_back(v);
+        }
+        if (found.empty()) return;
+        for (const auto& [v, similarity] : found) {
+            similarities[static_cast<std::size_t>(v)] = similarity;
+            known[static_cast<std::size_t>(v)] = 1;
+        }
+        left = std::move(later);
+    }
 }
 
 Points moved_differences(const SparseMatrix& stiffness, PointsView rest,

@@ -30,6 +30,11 @@ std::vector<LocalSimilarity> local_similarities(const SparseMatrix& stiffness, P
                                                 PointsView now, const ScaleBounds& bounds,
                                                 std::vector<LocalSimilarity> before = {});
 
+/// Vertices marked in `spoiled` take the mean of what is around them, from the rim of their patch inward:
+/// what fits a crumpled neighborhood best would keep it crumpled. Without such a rim they stay as they are.
+void continue_inward(const SparseMatrix& stiffness, const std::vector<char>& spoiled,
+                     std::vector<LocalSimilarity>& similarities);
+
 /// sum_j w_ij (s_i R_i + s_j R_j) / 2 (rest_i - rest_j) for every i (equation 8, with scales).
 Points moved_differences(const SparseMatrix& stiffness, PointsView rest,
                          const std::vector<LocalSimilarity>& similarities);

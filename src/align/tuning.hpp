@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Constants of fit_surface, set by hand with a few people (FAUST) and a lion to other animals (SMAL) in
-// sight; not swept.
+// Constants of fit_surface, set with people (FAUST) and a lion to other animals (SMAL) in sight
+// (benchmarks/fit_sweep.py); those of mending within the ranges given, the others by hand.
 #pragma once
 
 #include <array>
@@ -27,7 +27,13 @@ constexpr double least_cosine = 0.5;
 constexpr double collapsing = 0.05;
 /// What a vertex of such a triangle keeps of its hold on the scan, and by what the others regain theirs.
 constexpr double letting_go = 0.2, recovery = 1.5;
-constexpr int let_go_rounds = 12;
+/// At the end, rounds of mending (tried 12 .. 40), and after how many a patch grows by an edge (3 .. 20).
+constexpr int mending_rounds = 30, rounds_per_ring = 10;
+/// What the vertices around keep of their hold in each round (0.75 .. 1; less is smoother and farther from
+/// the scan).
+constexpr double letting_go_around = 0.85;
+/// A triangle below this share of its area is as bad as so many spoiled ones (20 .. 1000).
+constexpr double vanishing = 0.02, vanishing_harm = 20;
 
 /// Of a landmark, in mean vertices.
 constexpr double landmark_weight = 100;

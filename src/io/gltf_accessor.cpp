@@ -143,4 +143,15 @@ Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::stri
     return values;
 }
 
+std::string view_bytes(const GltfDocument& document, std::int64_t view_number) {
+    const GltfJson& view = document.element("bufferViews", view_number);
+    const auto buffer = static_cast<std::size_t>(number_at(document, view, "buffer", 0));
+    const auto start = static_cast<std::size_t>(number_at(document, view, "byteOffset", 0));
+    const auto length = static_cast<std::size_t>(number_at(document, view, "byteLength", 0));
+    if (buffer >= document.buffers.size() || start > document.buffers[buffer].size() ||
+        length > document.buffers[buffer].size() - start)
+        document.fail(fmt::format("buffer view {} reaches beyond its buffer", view_number));
+    return document.buffers[buffer].substr(start, length);
+}
+
 }  // namespace counterpart::io

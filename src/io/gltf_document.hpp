@@ -95,6 +95,9 @@ std::int64_t number_at(const GltfDocument& document, const GltfJson& object, con
 Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::string_view types,
                      GltfBudget& budget);
 
+/// The bytes of a buffer view. Throws IoError if it reaches beyond its buffer.
+std::string view_bytes(const GltfDocument& document, std::int64_t view_number);
+
 /// The component types that are written.
 enum class GltfComponent { u8 = 5121, u16 = 5123, u32 = 5125, f32 = 5126 };
 /// What a buffer view is for.

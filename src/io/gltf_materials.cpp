@@ -69,7 +69,8 @@ class Import {
     void follow_images(GltfJson& texture) {
         const auto image = [this](GltfJson& json) {
             if (json.contains("bufferView"))
-                json["bufferView"] = append_view(to_, bytes(number_at(from_, json, "bufferView", 0)));
+                json["bufferView"] =
+                    append_view(to_, view_bytes(from_, number_at(from_, json, "bufferView", 0)));
         };
         redirect(texture, "sampler", "samplers", [](GltfJson&) {});
         redirect(texture, "source", "images", image);
@@ -77,17 +78,6 @@ class Import {
         for (GltfJson& extension : texture["extensions"])
             if (extension.is_object()) redirect(extension, "source", "images", image);
     }
-    std::string bytes(std::int64_t view_number) const {
-        const GltfJson& view = from_.element("bufferViews", view_number);
-        const auto buffer = static_cast<std::size_t>(number_at(from_, view, "buffer", 0));
-        const auto start = static_cast<std::size_t>(number_at(from_, view, "byteOffset", 0));
-        const auto length = static_cast<std::size_t>(number_at(from_, view, "byteLength", 0));
-        if (buffer >= from_.buffers.size() || start > from_.buffers[buffer].size() ||
-            length > from_.buffers[buffer].size() - start)
-            from_.fail(fmt::format("buffer view {} reaches beyond its buffer", view_number));
-        return from_.buffers[buffer].substr(start, length);
-    }
-
     GltfDocument from_;
     GltfDocument& to_;
     std::map<Element, std::int64_t> copies_;

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace counterpart::viewer {
@@ -24,6 +25,9 @@ class SceneBuffer {
             bytes_ += static_cast<char>(static_cast<unsigned char>(number >> (8 * i)));
     }
     void put(float number) { put(std::bit_cast<std::uint32_t>(number)); }
+
+    /// Appends bytes as they are.
+    void put(std::string_view bytes) { bytes_ += bytes; }
 
     /// Where the next array starts, in bytes, after filling up to a multiple of four.
     std::size_t start_array() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/base64.hpp"
 #include "numerics/rotation.hpp"
+#include "viewer/appearance.hpp"
 #include "viewer/page_template.hpp"
 #include "viewer/scene_buffer.hpp"
 
@@ -120,6 +121,8 @@ void require_fit(const ViewerOptions& options, MeshView source, MeshView target)
             throw InvalidInput(fmt::format("truth: {}", error.what()));
         }
     }
+    viewer::require_fit(options.source_appearance, source, "source");
+    viewer::require_fit(options.target_appearance, target, "target");
     for (const ViewerValues& values : options.values)
         if (values.values.size() != static_cast<std::size_t>(source.n_vertices()))
             throw InvalidInput(
@@ -153,6 +156,8 @@ std::string viewer_page(MeshView source, MeshView target, const std::vector<View
     Json scene = {{"format", 1}};
     scene["source"] = put_mesh(source, options.source_name, buffer);
     scene["target"] = put_mesh(target, options.target_name, buffer);
+    viewer::put_appearance(options.source_appearance, scene["source"], buffer);
+    viewer::put_appearance(options.target_appearance, scene["target"], buffer);
     scene["maps"] = Json::array();
     for (const ViewerMap& map : maps) scene["maps"].push_back(put_map(map, buffer));
     scene["values"] = Json::array();

@@ -56,8 +56,10 @@ export class App {
 
   constructor(private readonly scene: SceneData) {
     const view = new Quaternion().fromArray(scene.viewFromSource);
-    this.source = new Surface(scene.source, view);
-    this.targets = [new Surface(scene.target, view.clone().multiply(new Quaternion().fromArray(scene.sourceFromTarget)))];
+    const redraw = () => this.requestFrame();
+    this.source = new Surface(scene.source, view, undefined, redraw);
+    const targetView = view.clone().multiply(new Quaternion().fromArray(scene.sourceFromTarget));
+    this.targets = [new Surface(scene.target, targetView, undefined, redraw)];
     this.correspondences = scene.maps.map((map) => new Correspondence(map, scene));
     this.base = scene.baseVertex >= 0 ? scene.baseVertex : this.source.topology.extremity();
     this.samples = sampleVertices(scene.source, 200);
@@ -182,7 +184,7 @@ export class App {
 
   private panes(): Pane[] {
     const targets = this.shownMaps().map((_, i) => {
-      this.targets[i] ??= new Surface(this.scene.target, this.targets[0].upright, this.targets[0]);
+      this.targets[i] ??= new Surface(this.scene.target, this.targets[0].upright, this.targets[0], () => this.requestFrame());
       return { side: "target" as const, surface: this.targets[i] };
     });
     return [{ side: "source", surface: this.source }, ...targets];
@@ -279,6 +281,7 @@ export class App {
         return { field: scalarField(scaled, (v) => Number.isFinite(values[v])), top: 1, bandWidth: 1 };
       }
       case "plain":
+      case "texture":
         return { field: null, top: 1, bandWidth: 1 };
     }
   }
@@ -315,7 +318,7 @@ export class App {
     else legend.replaceChildren(...colorLegend());
     const complete =
       this.current.matched === this.scene.source.vertexCount && this.current.covered === this.scene.target.vertexCount;
-    legend.hidden = this.mode === "plain" || ((this.mode === "colors" || this.mode === "checker") && complete);
+    legend.hidden = this.mode === "plain" || this.mode === "texture" || ((this.mode === "colors" || this.mode === "checker") && complete);
   }
 
   // ---- drawing ----

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 /** What the meshes are colored by; the order is the shader's. */
-export const modes = ["colors", "checker", "error", "values", "frontiers", "plain"] as const;
+export const modes = ["colors", "checker", "error", "values", "frontiers", "plain", "texture"] as const;
 export type Mode = (typeof modes)[number];
 
 export const modeLabels: Record<Mode, string> = {
@@ -11,6 +11,7 @@ export const modeLabels: Record<Mode, string> = {
   values: "Values",
   frontiers: "Frontiers",
   plain: "Plain",
+  texture: "Texture",
 };
 
 export const modeTitles: Record<Mode, string> = {
@@ -20,6 +21,7 @@ export const modeTitles: Record<Mode, string> = {
   values: "Numbers given for each source vertex, transferred by the map",
   frontiers: "Frontiers of a source vertex, transferred by the map; select a vertex to start there",
   plain: "Shape only",
+  texture: "Each mesh with its own images and colors",
 };
 
 export type Side = "source" | "target";

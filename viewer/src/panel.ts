@@ -77,6 +77,7 @@ export class Panel {
       const input = document.createElement("input");
       Object.assign(input, { type: "radio", name: "mode", value: mode, checked: mode === initial });
       if (mode === "values" && scene.values.length === 0) continue;
+      if (mode === "texture" && !scene.source.appearance && !scene.target.appearance) continue;
       input.disabled = mode === "error" && !hasError;
       input.addEventListener("change", () => events.mode(mode));
       label.title = input.disabled ? "Needs the true map: counterpart view --truth" : modeTitles[mode];

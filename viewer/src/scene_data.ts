@@ -10,6 +10,19 @@ export interface MeshData {
   /** Centered at the middle of the box, divided by half its diagonal; xyz per vertex. */
   positions: Float32Array;
   triangles: Uint16Array | Uint32Array;
+  /** What it looks like by itself; null where its file says nothing. */
+  appearance: AppearanceData | null;
+}
+
+export interface AppearanceData {
+  /** Two numbers per corner, (0, 0) at the image's top left. */
+  uv: Float32Array | null;
+  /** -1 = none. */
+  imageOfTriangle: Int32Array | null;
+  /** Whole PNG, JPEG or WebP files. */
+  images: Uint8Array[];
+  /** Red, green, blue per corner. */
+  colors: Uint8Array | null;
 }
 
 export interface MapData {
@@ -49,6 +62,10 @@ interface MeshJson {
   position_offset: number;
   triangle_offset: number;
   triangle_bytes: number;
+  uv_offset?: number;
+  image_of_triangle_offset?: number;
+  images?: { offset: number; bytes: number }[];
+  color_offset?: number;
 }
 
 function elementText(id: string): string {
@@ -78,6 +95,18 @@ function readMesh(json: MeshJson, buffer: ArrayBuffer): MeshData {
     triangleCount: json.triangles,
     positions,
     triangles: new Indices(buffer, json.triangle_offset, 3 * json.triangles),
+    appearance: readAppearance(json, buffer),
+  };
+}
+
+function readAppearance(json: MeshJson, buffer: ArrayBuffer): AppearanceData | null {
+  const { uv_offset: uv, image_of_triangle_offset: number, color_offset: color, images } = json;
+  if (uv === undefined && color === undefined) return null;
+  return {
+    uv: uv === undefined ? null : new Float32Array(buffer, uv, 6 * json.triangles),
+    imageOfTriangle: number === undefined ? null : new Int32Array(buffer, number, json.triangles),
+    images: (images ?? []).map(({ offset, bytes }) => new Uint8Array(buffer, offset, bytes)),
+    colors: color === undefined ? null : new Uint8Array(buffer, color, 9 * json.triangles),
   };
 }
 

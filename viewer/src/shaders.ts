@@ -12,6 +12,18 @@ const morphed = /* glsl */ `
   vec4 clipPosition() { return projectionMatrix * modelViewMatrix * vec4(mix(position, goal, morph), 1.0); }
 `;
 
+const lighting = /* glsl */ `
+  vec4 lit(vec3 base, vec3 normal) {
+    vec3 n = normalize(normal);
+    if (!gl_FrontFacing) n = -n;
+    float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
+    float rim = 0.5 + 0.5 * n.y;
+    float light = 0.38 + 0.16 * rim + 0.52 * key;
+    vec3 color = min(base * light + 0.05 * pow(key, 24.0), 1.0);
+    return vec4(gl_FrontFacing ? color : 0.7 * color, 1.0);
+  }
+`;
+
 export const surfaceVertexShader = /* glsl */ `
   ${morphed}
   in vec4 field;
@@ -43,6 +55,8 @@ export const surfaceFragmentShader = /* glsl */ `
     return mix(stops[i], stops[i + 1], s - float(i));
   }
 
+  ${lighting}
+
   // 0 or 1 by the parity of the cell, smooth over a pixel.
   float parity(vec3 p) {
     vec3 width = max(fwidth(p), vec3(1e-5));
@@ -54,7 +68,7 @@ export const surfaceFragmentShader = /* glsl */ `
   void main() {
     vec3 base = ${vec3(plainColor)};
     vec3 value = vField.xyz;
-    if (mode != 5) {
+    if (mode < 5) {
       bool known = vField.w > 0.999;
       if (!known) base = ${vec3(missingColor)};
       else if (mode == 0) base = vec3(0.12) + 0.83 * value;
@@ -68,13 +82,47 @@ export const surfaceFragmentShader = /* glsl */ `
         base = mix(base * 0.35, base, clamp(edge, 0.0, 1.0));
       }
     }
-    vec3 n = normalize(vNormal);
-    if (!gl_FrontFacing) n = -n;
-    float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
-    float rim = 0.5 + 0.5 * n.y;
-    float light = 0.38 + 0.16 * rim + 0.52 * key;
-    color = vec4(min(base * light + 0.05 * pow(key, 24.0), 1.0), 1.0);
-    if (!gl_FrontFacing) color.rgb *= 0.7;
+    color = lit(base, vNormal);
+  }
+`;
+
+export const appearanceVertexShader = /* glsl */ `
+  ${morphed}
+  in vec3 tint;
+  out vec3 vNormal;
+  out vec2 vUv;
+  out vec3 vTint;
+  void main() {
+    vNormal = normalMatrix * mix(normal, goalNormal, morph);
+    vUv = uv;
+    vTint = tint;
+    gl_Position = clipPosition();
+  }
+`;
+
+export const appearanceFragmentShader = /* glsl */ `
+  precision highp float;
+  in vec3 vNormal;
+  in vec2 vUv;
+  in vec3 vTint;
+  out vec4 color;
+  uniform sampler2D image;
+
+  ${lighting}
+
+  void main() {
+    vec3 base = ${vec3(plainColor)};
+    #ifdef TINTED
+      base = vTint;
+    #endif
+    #ifdef TEXTURED
+      vec3 texel = texture(image, vUv).rgb;
+      #ifdef TINTED
+        texel *= vTint;
+      #endif
+      base = texel;
+    #endif
+    color = lit(base, vNormal);
   }
 `;
 

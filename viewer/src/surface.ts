@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, Mesh, Quaternion, Scene, ShaderMaterial, Vector3 } from "three";
+import { Appearance } from "./appearance";
 import type { Field } from "./field";
 import { type Mode, modes } from "./modes";
 import type { MeshData } from "./scene_data";
@@ -12,12 +13,13 @@ export class Surface {
   readonly topology: Topology;
   readonly normals: Float32Array;
   readonly scene = new Scene();
-  readonly object: Mesh;
+  readonly object: Mesh<BufferGeometry, ShaderMaterial | ShaderMaterial[]>;
   private readonly geometry = new BufferGeometry();
   private readonly morphUniform = { value: 0 };
   private goal: Float32Array | null = null;
   private readonly shading: ShaderMaterial;
   private readonly picking: ShaderMaterial;
+  private appearance: Appearance | null = null; // made when it is first shown
 
   constructor(
     readonly data: MeshData,
@@ -25,6 +27,8 @@ export class Surface {
     readonly upright: Quaternion,
     /** Another surface of the same mesh, whose topology this one shares. */
     same?: Surface,
+    /** An image of the mesh has come: draw again. */
+    private readonly imageLoaded: () => void = () => {},
   ) {
     this.topology = same?.topology ?? new Topology(data);
     this.normals = same?.normals ?? this.topology.normals();
@@ -71,6 +75,23 @@ export class Surface {
     uniforms.top.value = top;
     uniforms.bandWidth.value = bandWidth;
     uniforms.cells.value = cells;
+    const look = mode === "texture" ? this.ownAppearance() : null;
+    this.object.geometry = look?.geometry ?? this.geometry;
+    this.object.material = look?.materials ?? this.shading;
+  }
+
+  private ownAppearance(): Appearance | null {
+    if (this.appearance || !this.data.appearance) return this.appearance;
+    this.appearance = new Appearance(this.data, this.data.appearance, this.morphUniform, this.imageLoaded);
+    this.appearance.place("position", this.data.positions);
+    this.appearance.place("normal", this.normals);
+    this.placeGoal();
+    return this.appearance;
+  }
+
+  private placeGoal(): void {
+    for (const name of ["goal", "goalNormal"])
+      this.appearance?.place(name, this.geometry.getAttribute(name).array as Float32Array);
   }
 
   /** Where the vertices are at the end of the morph. */
@@ -78,6 +99,7 @@ export class Surface {
     this.goal = positions;
     this.geometry.setAttribute("goal", new BufferAttribute(positions, 3));
     this.geometry.setAttribute("goalNormal", new BufferAttribute(normals, 3));
+    this.placeGoal();
   }
 
   set morph(amount: number) {
@@ -94,9 +116,12 @@ export class Surface {
 
   /** Runs `draw` with vertex numbers in place of colors. */
   whilePicking(draw: () => void): void {
+    const { geometry, material } = this.object;
+    this.object.geometry = this.geometry;
     this.object.material = this.picking;
     draw();
-    this.object.material = this.shading;
+    this.object.geometry = geometry;
+    this.object.material = material;
   }
 }
 

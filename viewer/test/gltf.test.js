@@ -122,5 +122,16 @@ test("the frames of a morph are morph targets", async () => {
   assert.deepEqual(now.names, ["frame_0001", "frame_0002", "frame_0003"]);
   const steps = now.morphed.map((morphed) => movement(now.rest, morphed));
   assert.ok(steps[0] > 0.01 && steps[1] > steps[0] && steps[2] > steps[1], `${steps}`);
+  // 24 frames per second: halfway between the second and the third morph target.
+  const played = await page.evaluate(() => {
+    const { THREE, gltf, mesh } = window.character;
+    const clip = gltf.animations.find(({ name }) => name === "morph");
+    const mixer = new THREE.AnimationMixer(gltf.scene);
+    mixer.clipAction(clip).play();
+    mixer.setTime(2.5 / 24);
+    return { seconds: clip.duration, weights: mesh.morphTargetInfluences };
+  });
+  assert.ok(Math.abs(played.seconds - 3 / 24) < 1e-6);
+  assert.deepEqual(played.weights.map((w) => Math.round(1e4 * w) / 1e4), [0, 0.5, 0.5]);
   assert.deepEqual(complaints, []);
 });

@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launch, open } from "./browser.js";
 import { program, writePage, writePair } from "./pair.js";
+import { writeTeeth, writeTextured } from "./textured.js";
 
 const modes = ["colors", "checker", "error", "frontiers", "plain"];
 const pair = writePair(70, 32);
@@ -222,6 +223,52 @@ test("on a phone, dark: everything is on the screen, a tap selects", async () =>
   assert.deepEqual(await highlighted(page), { source: [vertex], target: [pair.truth[vertex]] });
   await stagePicture(page, "phone_dark");
   assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("texture: each mesh with its own image, the right way up, and its own colors", async () => {
+  const folder = writeTextured();
+  const file = join(folder, "view.html");
+  execFileSync(program, ["view", join(folder, "source.obj"), join(folder, "target.ply"), "-q", "-o", file]);
+  const { page, context, complaints } = await open(browser, file);
+  const pixel = (side, vertex) =>
+    page.evaluate(([side, vertex]) => {
+      const canvas = document.getElementById("meshes");
+      const at = window.counterpart.screenPosition(side, vertex);
+      const box = canvas.getBoundingClientRect();
+      window.counterpart.measureFrame();
+      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+      copy.drawImage(canvas, 0, 0);
+      const scale = canvas.width / box.width;
+      return [...copy.getImageData((at.x - box.left) * scale, (at.y - box.top) * scale, 1, 1).data];
+    }, [side, vertex]);
+  const isMostly = ([r, g, b], channel) => Math.max(r, g, b) === [r, g, b][channel] && [r, g, b][channel] > 1.5 * Math.min(r, g, b);
+  await page.locator("#modes input[value=texture]").check();
+  await page.waitForTimeout(200);
+  await stagePicture(page, "texture");
+  const [bottom, top] = [await pixel("source", 8 * 2 + 4), await pixel("source", 8 * 6 + 4)];
+  assert.ok(isMostly(top, 0) && isMostly(bottom, 2), `red above blue: ${top} / ${bottom}`);
+  const colored = await pixel("target", 8 * 4 + 4);
+  assert.ok(isMostly(colored, 1), `the target's own green: ${colored}`);
+  assert.ok(await page.locator("#legend").isHidden());
+  await page.locator("#morph").fill("100");
+  assert.ok(isMostly(await pixel("source", 8 * 6 + 4), 0), "the image stays while the vertices move");
+  await page.locator("#modes input[value=plain]").check();
+  assert.ok(!isMostly(await pixel("source", 8 * 6 + 4), 0));
+  assert.deepEqual(complaints, []);
+  await context.close();
+  const { page: other, context: closed } = await open(browser, writePage(writePair(12, 9), ["truth.txt"]));
+  assert.equal(await other.locator("#modes input[value=texture]").count(), 0, "no texture, no such mode");
+  await closed.close();
+});
+
+test("parts alike are shown by kind", async () => {
+  const folder = writeTeeth();
+  const file = join(folder, "view.html");
+  execFileSync(program, ["view", join(folder, "source.obj"), join(folder, "target.obj"), "-q", "-o", file]);
+  const { page, context } = await open(browser, file);
+  await page.locator("#modes input[value=values]").check();
+  assert.match(await page.locator("#legend").innerText(), /parts alike/);
   await context.close();
 });
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <counterpart/map/vertex_map.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <string>
@@ -26,12 +27,21 @@ struct ViewerValues {
     std::vector<double> values;  ///< one per source vertex, NaN where unknown
 };
 
+/// What a mesh looks like by itself: images on its surface, colors, or both.
+struct ViewerAppearance {
+    CornerAttribute texture_coordinates{};   ///< n x 2 values, (0, 0) at the image's top left
+    std::vector<std::string> images{};       ///< whole PNG, JPEG or WebP files
+    std::vector<Index> image_of_triangle{};  ///< -1: none; empty without images
+    CornerAttribute colors{};  ///< n x 3 or n x 4 values in 0 .. 1; the images are multiplied by them
+};
+
 struct ViewerOptions {
     std::string source_name = "source", target_name = "target";
     /// True target vertex of each source vertex, or VertexMap::unmatched where unknown. Empty = no ground
     /// truth.
     std::vector<Index> truth{};
     std::vector<ViewerValues> values{};
+    ViewerAppearance source_appearance{}, target_appearance{};
     /// The direction, in the source's coordinates, that points up on the screen; not 0.
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();
     /// The seed vertex of the source for frontiers; -1 = selected by the page, at an end of the source.
@@ -42,9 +52,10 @@ struct ViewerOptions {
 /// 2 and without a network: the prebuilt viewer with meshes and maps embedded as base64. Positions are
 /// rounded to 1/65535 of their mesh's box; indices are exact. The target is initially rotated so that the
 /// first map's pairs agree best. Takes 8 bytes per vertex and 8 (16 above 65536 vertices) per triangle of
-/// each mesh, and 5.3 per source vertex and map (twice that with errors), on top of the viewer itself. O(V +
-/// F). Throws InvalidInput for an invalid mesh, no map, a map, error or truth that does not fit the meshes
-/// (the message names the map), or a base vertex out of range.
+/// each mesh, 5.3 per source vertex and map (twice that with errors), and for a mesh's appearance 37 per
+/// triangle and four thirds of the images, on top of the viewer itself. O(V + F). Throws InvalidInput for an
+/// invalid mesh, no map, a map, error, truth or appearance that does not fit the meshes (the message names
+/// the map), or a base vertex out of range.
 std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
                         const ViewerOptions& options = {});
 

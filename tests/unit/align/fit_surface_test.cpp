@@ -68,6 +68,21 @@ TEST(FitSurface, FollowsItsSurroundingsWhereTheMapAndTheScanEnd) {
     EXPECT_GT(fit.vertices.col(1).maxCoeff(), cut + 0.1 * diagonal(mesh));
 }
 
+TEST(FitSurface, NothingCrumplesWhereTheMapIsScrambled) {
+    const TriangleMesh mesh = template_body(), scan = bent(mesh);
+    Index hand = 0;
+    mesh.vertices.col(0).maxCoeff(&hand);
+    std::vector<Index> image;
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        const bool in_hand = (mesh.vertices.row(v) - mesh.vertices.row(hand)).norm() < 0.15 * diagonal(mesh);
+        image.push_back(in_hand ? 7919 * v % mesh.n_vertices() : v);
+    }
+    const FitResult fit = fit_surface(mesh, scan, surface_map_of(VertexMap(image, scan.n_vertices()), scan));
+    EXPECT_LT(fit.distance.mean(), 0.003 * diagonal(scan));
+    EXPECT_LE(fit.folded_edges, fit.own_folded_edges + 0.003);
+    EXPECT_GT(fit.least_area_ratio, 0.01);
+}
+
 TEST(FitSurface, LandmarksMeetAndThreadsDoNotMatter) {
     const TriangleMesh mesh = template_body(), scan = bent(mesh);
     const SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), scan);

@@ -53,6 +53,33 @@ TEST(ViewerPage, HoldsTheMeshesAsSixteenBitFractionsAndExactNumbers) {
     EXPECT_EQ(element(page, "buffer"), to_base64(mesh + mesh + map));
 }
 
+TEST(ViewerPage, HoldsImagesAndColorsCornerByCorner) {
+    ViewerOptions options;
+    options.source_appearance = {{Matrix{{0, 0}, {0.5, 1}}, Triangles{{0, 1, -1}}}, {"PNG!x"}, {0}, {}};
+    options.target_appearance.colors = {Matrix{{1, 0, 0.5}}, Triangles{{0, 0, -1}}};
+    const std::string page = viewer_page(triangle(), triangle(), {{"m", identity_map(3)}}, options);
+    const auto scene = nlohmann::json::parse(element(page, "scene"));
+    // Behind the two meshes of 28 bytes: three pairs of floats, the image's number, the image, three colors.
+    EXPECT_EQ(scene["source"]["uv_offset"], 56);
+    EXPECT_EQ(scene["source"]["image_of_triangle_offset"], 80);
+    EXPECT_EQ(scene["source"]["images"], (nlohmann::json{{{"offset", 84}, {"bytes", 5}}}));
+    EXPECT_EQ(scene["target"]["color_offset"], 92);
+    EXPECT_FALSE(scene["target"].contains("uv_offset"));
+    using namespace std::string_literals;
+    const std::string uv = "\0\0\0\0\0\0\0\0\0\0\0\x3f\0\0\x80\x3f\0\0\0\0\0\0\0\0"s;
+    const std::string rest = uv + "\0\0\0\0PNG!x\0\0\0"s + "\xff\0\x80\xff\0\x80\xff\xff\xff"s;
+    const std::string mesh = "\0\0\0\0\0\0\xff\xff\0\0\0\0\0\0\xff\xff\0\0\0\0"s + "\0\0\1\0\2\0\0\0"s;
+    const std::string map = "\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0"s;  // after three bytes to the multiple of four
+    EXPECT_EQ(element(page, "buffer"), to_base64(mesh + mesh + rest + map));
+
+    options.source_appearance.image_of_triangle = {1};
+    const auto refused = [&] { viewer_page(triangle(), triangle(), {{"m", identity_map(3)}}, options); };
+    expect_error<InvalidInput>(refused, "the appearance of the source does not fit");
+    options.source_appearance.image_of_triangle = {0};
+    options.target_appearance.colors.corners(0, 0) = 1;
+    expect_error<InvalidInput>(refused, "the appearance of the target does not fit");
+}
+
 TEST(ViewerPage, LargeMeshesTakeFourBytesPerCorner) {
     const TriangleMesh mesh = make_grid(300, 300);
     const std::string page = viewer_page(mesh, triangle(), {{"m", {std::vector<Index>(90601, 0), 3}}});
