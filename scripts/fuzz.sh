@@ -9,8 +9,8 @@
 # fuzz.sh counts                       what has run so far: inputs, largest memory, longest input of each target
 # fuzz.sh coverage                     the lines of each reader that its corpus and tests/fuzz/cases reach
 #
-# Starts from tests/fuzz/cases, keeps what reaches new code below build/fuzz/corpus, and what crashes, takes over 10 s or
-# over 2 GB below build/fuzz/found: make it small (fuzz_readers -minimize_crash=1), fix it, and put it into
+# Starts from tests/fuzz/cases, keeps what reaches new code below build/fuzz/corpus, and what crashes, takes over 10 s of
+# processor time, 100 s by the clock or 2 GB below build/fuzz/found: make it small (fuzz_readers -minimize_crash=1), fix it, and put it into
 # tests/fuzz/cases.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -38,7 +38,7 @@ fuzz() {
     echo "== $target"
     FUZZ_TARGET=$target nice -n 19 "$program" "build/fuzz/corpus/$target" "tests/fuzz/cases/$target" \
       $([[ -f $dictionary ]] && echo "-dict=$dictionary") -artifact_prefix="build/fuzz/found/$target/" \
-      -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
+      -max_total_time="$seconds" -timeout=100 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
       > "$log" 2>&1 || { tail -40 "$log"; failed=yes; }
     grep -E "^stat::|^#[0-9]+.*(DONE|INITED)" "$log" || true
     awk -v target="$target" -v preset="$preset" '/^stat::/ { value[$1] = $2 }

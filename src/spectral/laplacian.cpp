@@ -54,9 +54,11 @@ void tie_loose_vertices(Entries& entries, MeshView mesh, const Vector& mass) {
                        solid[static_cast<std::size_t>(search.closest(mesh.vertices.row(v)).index)], 1);
 }
 
-// A bridge of weight w to a component of mass m gives a mode "this component against the rest" of eigenvalue
-// about w / m. Where the surface's own 80 or so lowest modes end (4 pi k, Weyl's law), such modes no longer
-// get in their way.
+// Where a piece hangs on springs, the eigenvalue of "this piece against the rest" would be
+// `bridge_eigenvalue` / area if the surface around them were stiff; what that gives way, at single vertices,
+// decides in fact. Tried from 100 to 100 000 on a small ball beside a large one: the mode's eigenvalue
+// is 2.77, 3.21, 3.27, 3.27; of any of the lowest 200 functions the springs hold 13, 2, 0.2, 0.02 % of the
+// energy. Two bodies with balls beside them are matched as well with one as with another.
 void add_bridges(Entries& entries, MeshView mesh, const std::vector<Piece>& pieces, double area) {
     constexpr double bridge_eigenvalue = 1000;
     constexpr std::size_t springs_per_piece = 3;

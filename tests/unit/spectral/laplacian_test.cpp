@@ -117,5 +117,24 @@ TEST(Laplacian, BridgesTieComponents) {
     }
 }
 
+// As if the pieces touched there: no function is one of the springs.
+TEST(Laplacian, BridgesAreStiffAgainstTheSurface) {
+    const TriangleMesh one = make_icosphere(3);
+    TriangleMesh small = make_icosphere(2);
+    small.vertices *= 0.2;
+    small.vertices.rowwise() += Eigen::RowVector3d(1.3, 0, 0);
+    TriangleMesh two{Points(one.n_vertices() + small.n_vertices(), 3),
+                     Triangles(one.n_triangles() + small.n_triangles(), 3)};
+    two.vertices << one.vertices, small.vertices;
+    two.triangles << one.triangles, (small.triangles.array() + one.n_vertices()).matrix();
+    const SparseMatrix springs =
+        laplace_beltrami(two).stiffness - laplace_beltrami(two, {.bridge_components = false}).stiffness;
+    const EigenBasis basis = eigen_basis(two, 100);
+    for (int i = 1; i < basis.size(); ++i) {
+        const Vector f = basis.eigenfunctions.col(i);
+        EXPECT_LT(f.dot(springs * f), 0.05 * basis.eigenvalues[i]) << i;
+    }
+}
+
 }  // namespace
 }  // namespace counterpart::spectral
