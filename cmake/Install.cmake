@@ -30,7 +30,9 @@ if(COUNTERPART_CLI AND NOT CMAKE_CROSSCOMPILING)
   add_custom_target(counterpart_manual ALL DEPENDS ${manual}/counterpart.1)
   install(FILES ${manual}/counterpart.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   install(FILES ${manual}/counterpart.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME counterpart)
-  install(FILES ${manual}/_counterpart DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  foreach(folder site-functions vendor-completions)  # Debian's zsh looks into the second where the prefix is /usr
+    install(FILES ${manual}/_counterpart DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
+  endforeach()
   install(FILES ${manual}/counterpart.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 endif()
 

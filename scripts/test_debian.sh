@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the project and runs its tests on a bare Debian, in a tree that debootstrap makes: scripts/test_debian.sh RELEASE
-# [FOLDER [wheel]]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default:
+# [FOLDER [wheel|package]]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default:
 # build/debian/RELEASE). With `wheel` it builds nothing: it installs the wheel of dist/ that suits the release's Python into
-# a clean environment there and runs the Python tests. Needs root and the package debootstrap; the mirror is that of this
+# a clean environment there and runs the Python tests. With `package` it installs the .deb that cpack left in
+# build/release, with what that depends on and nothing else, and runs the README's commands. Needs root and the package debootstrap; the mirror is that of this
 # machine, or $DEBIAN_MIRROR.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -46,6 +47,31 @@ test_wheel() {
     /venv/bin/pip install --quiet --no-compile --find-links dist numpy tqdm trimesh meshio pytest
     /venv/bin/pip install --quiet --no-compile --no-index --find-links dist counterpart
     COUNTERPART=/venv/bin/counterpart /venv/bin/python -m pytest -q python/tests'
+}
+
+test_package() {
+  cp build/release/counterpart_*.deb "$tree/counterpart/"
+  run 'apt-get -qq update
+    apt-get -qq install -y --no-install-recommends ./counterpart_*.deb > /dev/null
+    cd "$(mktemp -d)"
+    counterpart deform body a.glb -q
+    counterpart convert a.glb a.obj -q
+    counterpart deform a.obj b.obj --bend 40 --shuffle 3 --truth truth.txt -q
+    counterpart convert b.obj b.glb -q
+    counterpart match a.obj b.obj -o map.txt
+    cmp map.txt truth.txt
+    counterpart view a.obj b.obj --map map.txt -o view.html
+    counterpart reorder a.obj b.obj -o c.obj
+    counterpart transfer a.glb b.glb --map map.txt -o d.glb
+    counterpart evaluate a.obj b.obj map.txt --truth truth.txt
+    counterpart render a.obj b.obj --map map.txt -o picture.png
+    counterpart morph a.obj b.obj --map map.txt -n 2 -o frames/
+    counterpart fit a.obj b.obj -o fitted.obj
+    counterpart align a.obj b.obj --map map.txt -o aligned.obj
+    grep -q "^.TH" /usr/share/man/man1/counterpart.1
+    bash -c "source /usr/share/bash-completion/completions/counterpart; complete -p counterpart"
+    test -s /usr/share/zsh/vendor-completions/_counterpart -a -s /usr/share/fish/vendor_completions.d/counterpart.fish
+    ! command -v g++'
 }
 
 "test_$what"

@@ -9,8 +9,9 @@
 
 namespace counterpart::align {
 
-/// Features of the map that are followed, one after the other; fractions of the scan's diagonal.
-constexpr std::array<double, 3> map_lengths = {0.2, 0.1, 0.05};
+/// Features of the map that are followed, one after the other; fractions of the scan's diagonal. Ending at
+/// 0.05, ears stay behind.
+constexpr std::array<double, 5> map_lengths = {0.2, 0.1, 0.05, 0.025, 0.0125};
 constexpr int rounds_per_map_length = 6;
 /// An image this far from where the surface is drawn counts half; fraction of the scan's diagonal.
 constexpr double image_doubt = 0.05;
@@ -27,11 +28,11 @@ constexpr double least_cosine = 0.5;
 constexpr double collapsing = 0.05;
 /// What a vertex of such a triangle keeps of its hold on the scan, and by what the others regain theirs.
 constexpr double letting_go = 0.2, recovery = 1.5;
-/// At the end, rounds of mending (tried 12 .. 40), and after how many a patch grows by an edge (3 .. 20).
-constexpr int mending_rounds = 30, rounds_per_ring = 10;
+/// At the end, rounds of mending (tried 12 .. 40), and after how many a patch grows by an edge (3 .. 30).
+constexpr int mending_rounds = 20, rounds_per_ring = 20;
 /// What the vertices around keep of their hold in each round (0.75 .. 1; less is smoother and farther from
 /// the scan).
-constexpr double letting_go_around = 0.85;
+constexpr double letting_go_around = 0.95;
 /// A triangle below this share of its area is as bad as so many spoiled ones (20 .. 1000).
 constexpr double vanishing = 0.02, vanishing_harm = 20;
 
