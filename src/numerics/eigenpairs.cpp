@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/eigenpairs.hpp"
 
+#include "numerics/block_lanczos.hpp"
+
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
@@ -56,17 +58,19 @@ Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& m
 }
 
 Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                              double shift, const Progress& progress) {
+                              double tolerance, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
     // Twice as many basis vectors as wanted pairs, Spectra's advice; larger saves restarts but costs memory.
     const int n_basis = std::min(size, 2 * count + 20);
+    const double shift = -0.01 / mass.sum();  // below all eigenvalues, and near to the first for any unit
     ShiftInvert inverse(stiffness, mass, n_basis, progress);
     Spectra::SparseSymMatProd<double> product(mass);
     Spectra::SymGEigsShiftSolver<ShiftInvert, Spectra::SparseSymMatProd<double>,
                                  Spectra::GEigsMode::ShiftInvert>
         solver(inverse, product, count, n_basis, shift);
     solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-9, Spectra::SortRule::SmallestAlge);
+    solver.compute(Spectra::SortRule::LargestMagn, 300, std::min(tolerance, 1e-6),
+                   Spectra::SortRule::SmallestAlge);
     if (solver.info() != Spectra::CompInfo::Successful)
         throw NumericalError("the eigenvalue iteration did not converge");
     return {solver.eigenvalues(), solver.eigenvectors()};
@@ -75,13 +79,18 @@ Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix&
 }  // namespace
 
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                               double shift, const Progress& progress) {
+                               double tolerance, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
     if (count < 1 || count > size)
         throw InvalidInput("the number of eigenpairs must be from 1 to the matrix' size");
-    Eigenpairs pairs = size <= 3 * count || size <= 200
+    constexpr int small = 200;  // unknowns that a dense solver handles in milliseconds
+    const bool is_small = size <= 3 * count || size <= small;
+    std::optional<Eigenpairs> found;
+    if (!is_small) found = block_lanczos(stiffness, mass, count, tolerance, part_of(progress, 0, 0.8));
+    Eigenpairs pairs = found ? std::move(*found)
+                       : is_small
                            ? dense_eigenpairs(stiffness, mass, count)
-                           : lanczos_eigenpairs(stiffness, mass, count, shift, progress);
+                           : lanczos_eigenpairs(stiffness, mass, count, tolerance, part_of(progress, 0.8, 1));
     for (Eigen::Index j = 0; j < pairs.vectors.cols(); ++j) {
         auto vector = pairs.vectors.col(j);
         Eigen::Index largest = 0;

@@ -14,11 +14,14 @@ struct Eigenpairs {
 };
 
 /// The `count` smallest solutions of stiffness * x = lambda * mass * x, both symmetric sparse, stiffness
-/// positive semi-definite, mass positive definite, by Lanczos iteration on the inverse shifted by `shift` <
-/// 0. Vectors are mass-orthonormal, each with its entry of largest modulus positive; the start is fixed, so
-/// the result is reproducible. 1 <= count <= size. Throws NumericalError where the factorization or the
-/// iteration breaks down. `progress` is called at each step of the iteration.
+/// positive semi-definite, mass positive definite. Vectors are mass-orthonormal, each with its entry of
+/// largest modulus positive; the start is fixed, so the result is reproducible. 1 <= count <= size.
+///
+/// By block_lanczos; where that does not do, by Spectra's restarted Lanczos iteration; dense where `count` is
+/// a third of the size. `tolerance` bounds the residuals, relative to the shifted and inverted values:
+/// eigenvalues are right to about its square. O(size * count^2). Throws NumericalError where it breaks down.
+/// `progress` is called several times for each block.
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
-                               double shift, const Progress& progress = {});
+                               double tolerance, const Progress& progress = {});
 
 }  // namespace counterpart::numerics

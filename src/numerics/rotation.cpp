@@ -20,7 +20,7 @@ FittedRotation fit_rotation(const Eigen::Matrix3d& covariance) {
 
 Eigen::Quaterniond follow_rotation(const Eigen::Matrix3d& covariance, Eigen::Quaterniond guess) {
     constexpr int most_steps = 20;
-    constexpr double close_enough = 1e-8;  // radians; the step after it would be its square
+    constexpr double close_enough = 1e-4;  // radians; the step leaves its square
     for (int step = 0; step < most_steps; ++step) {
         const Eigen::Matrix3d stretch = covariance * guess.toRotationMatrix().transpose();
         const Eigen::Vector3d torque(stretch(2, 1) - stretch(1, 2), stretch(0, 2) - stretch(2, 0),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "numerics/eigenpairs.hpp"
+#include "spectral/approximate_basis.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
@@ -10,7 +11,8 @@
 
 namespace counterpart {
 
-EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress) {
+EigenBasis spectral::approximate_eigen_basis(const LaplaceBeltrami& laplacian, int n_functions,
+                                             double tolerance, const Progress& progress) {
     if (n_functions < 1) throw InvalidInput("eigen_basis: the number of functions must be at least 1");
     const auto size = static_cast<int>(laplacian.mass.size());
     // The problem is solved at unit area, so that one shift suits every mesh.
@@ -18,9 +20,14 @@ EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const 
     SparseMatrix mass(size, size);
     mass.reserve(Eigen::VectorXi::Constant(size, 1));
     for (int v = 0; v < size; ++v) mass.insert(v, v) = laplacian.mass[v] / area;
-    numerics::Eigenpairs pairs = numerics::smallest_eigenpairs(laplacian.stiffness, mass,
-                                                               std::min(n_functions, size), -0.01, progress);
+    numerics::Eigenpairs pairs = numerics::smallest_eigenpairs(
+        laplacian.stiffness, mass, std::min(n_functions, size), tolerance, progress);
     return {pairs.values.cwiseMax(0.0) / area, pairs.vectors / std::sqrt(area), laplacian.mass};
+}
+
+EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress) {
+    constexpr double tolerance = 1e-10;
+    return spectral::approximate_eigen_basis(laplacian, n_functions, tolerance, progress);
 }
 
 EigenBasis eigen_basis(MeshView mesh, int n_functions, const Progress& progress) {

@@ -21,7 +21,7 @@ EigenBasis subspace_eigen_basis(const LaplaceBeltrami& laplacian, const SparseMa
     const SparseMatrix across = partition.transpose();
     const SparseMatrix stiffness = across * SparseMatrix(laplacian.stiffness * partition);
     const SparseMatrix mass = across * SparseMatrix((laplacian.mass / area).asDiagonal() * partition);
-    numerics::Eigenpairs pairs = numerics::smallest_eigenpairs(stiffness, mass, n_functions, -0.01, progress);
+    numerics::Eigenpairs pairs = numerics::smallest_eigenpairs(stiffness, mass, n_functions, 1e-6, progress);
     report_progress(progress, 1);
     return {pairs.values.cwiseMax(0.0) / area, partition * (pairs.vectors / std::sqrt(area)), laplacian.mass};
 }

@@ -16,10 +16,11 @@ struct EigenBasis {
     int size() const { return static_cast<int>(eigenvalues.size()); }
 };
 
-/// The `n_functions` lowest eigenfunctions (fewer if the mesh has fewer vertices), by shift-invert Lanczos.
-/// The first `n_functions` do not depend on how the vertices are numbered, up to the sign rule's ties and the
-/// choice within repeated eigenvalues. About O(V^1.2 * n_functions). `progress` is called at every step of
-/// the iteration. Throws InvalidInput if n_functions < 1, NumericalError if the iteration fails, Canceled.
+/// The `n_functions` lowest eigenfunctions (fewer if the mesh has fewer vertices), by block Lanczos
+/// iteration. The first `n_functions` do not depend on how the vertices are numbered, up to the sign rule's
+/// ties and the choice within repeated eigenvalues. About O(V * n_functions^2). `progress` is called at every
+/// step of the iteration. Throws InvalidInput if n_functions < 1, NumericalError if the iteration fails,
+/// Canceled.
 EigenBasis eigen_basis(const LaplaceBeltrami& laplacian, int n_functions, const Progress& progress = {});
 EigenBasis eigen_basis(MeshView mesh, int n_functions, const Progress& progress = {});
 

@@ -21,6 +21,7 @@ struct ElasticFit::System {
     Vector mass;
     align::ScaleBounds bounds;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
+    std::vector<align::LocalSimilarity> similarities;  // of the last positions: those of the next are near
 };
 
 ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning)
@@ -46,13 +47,12 @@ Points ElasticFit::operator()(PointsView towards, PointsView start, double stiff
         throw NumericalError("the elastic system cannot be factorized");
     Points now = start;
     const Eigen::MatrixXd pulled = pull.asDiagonal() * towards;
-    std::vector<align::LocalSimilarity> similarities;
     for (int i = 0; i < n_iterations; ++i) {
         progress.check();
-        similarities = align::local_similarities(system_->stiffness, system_->rest, now, system_->bounds,
-                                                 std::move(similarities));
+        system_->similarities = align::local_similarities(system_->stiffness, system_->rest, now,
+                                                          system_->bounds, std::move(system_->similarities));
         const Eigen::MatrixXd right =
-            pulled + align::moved_differences(system_->stiffness, system_->rest, similarities);
+            pulled + align::moved_differences(system_->stiffness, system_->rest, system_->similarities);
         now = system_->factor.solve(right);
     }
     return now;

@@ -7,6 +7,7 @@
 #include "match/spectral/partition.hpp"
 #include "match/spectral/proxy.hpp"
 #include "numerics/symmetric_eigen.hpp"
+#include "spectral/approximate_basis.hpp"
 #include "spectral/subspace_basis.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -68,7 +69,8 @@ void sample(PreparedShape& shape, const DistanceGraph& graph, const PreparationO
 EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int n_functions,
                     const PreparationTuning& tuning, const ProgressRange& progress) {
     if (shape.mesh.n_vertices() <= tuning.large_mesh)
-        return eigen_basis(shape.laplacian, n_functions, progress.callback());
+        return spectral::approximate_eigen_basis(shape.laplacian, n_functions, tuning.basis_tolerance,
+                                                 progress.callback());
     const auto n_locals = static_cast<Index>(
         std::max(tuning.min_local_functions, tuning.local_functions_per_eigenfunction * n_functions));
     const FarthestPointSamples locals = farthest_point_samples(

@@ -35,6 +35,9 @@ struct PreparationTuning {
     Index large_mesh = 20000;
     Index proxy_size = 8000;       ///< vertices
     double min_proxy_area = 0.85;  ///< of a proxy, as a share of the full surface's
+    /// Of the eigenfunctions: matching does not ask whether the last five of 200 are mixed with the next. 1e-3
+    /// takes half the time of 1e-8.
+    double basis_tolerance = 1e-3;
     int min_local_functions = 3000, local_functions_per_eigenfunction = 10;
     /// Of a local function, in radii of a disk that is one sample's share of the area (Magnet and
     /// Ovsjanikov).

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "numerics/shifted_factor.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+
+namespace counterpart::numerics {
+namespace {
+
+constexpr Eigen::Index width = 8;  // right-hand sides solved together: what the registers hold
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, width, Eigen::RowMajor>;
+using Row = Eigen::Matrix<double, 1, width>;
+
+// y = (L D L^T)^-1 y; row i belongs to unknown i.
+void solve_in_place(const SparseMatrix& lower, const Vector& diagonal, Rows& y) {
+    for (Eigen::Index j = 0; j < y.rows(); ++j) {
+        const Row known = y.row(j);
+        SparseMatrix::InnerIterator entry(lower, j);
+        for (++entry; entry; ++entry) y.row(entry.row()).noalias() -= entry.value() * known;
+    }
+    for (Eigen::Index j = y.rows(); j-- > 0;) {
+        Row sum = y.row(j) / diagonal[j];
+        SparseMatrix::InnerIterator entry(lower, j);
+        for (++entry; entry; ++entry) sum.noalias() -= entry.value() * y.row(entry.row());
+        y.row(j) = sum;
+    }
+}
+
+}  // namespace
+
+ShiftedFactor::ShiftedFactor(const SparseMatrix& stiffness, const SparseMatrix& mass)
+    : stiffness_(stiffness), mass_(mass) {
+    factor_.analyzePattern(stiffness + mass);
+}
+
+bool ShiftedFactor::factorize(double shift) {
+    factor_.factorize(stiffness_ - shift * mass_);
+    if (factor_.info() != Eigen::Success || !factor_.vectorD().allFinite()) return false;
+    lower_ = factor_.matrixL();
+    return true;
+}
+
+int ShiftedFactor::n_below() const { return static_cast<int>((factor_.vectorD().array() < 0).count()); }
+
+Eigen::MatrixXd ShiftedFactor::solve(const Eigen::MatrixXd& right) const {
+    Eigen::MatrixXd result(right.rows(), right.cols());
+    const Vector diagonal = factor_.vectorD();
+    parallel_for(static_cast<std::size_t>((right.cols() + width - 1) / width), 1, [&](std::size_t block) {
+        const Eigen::Index first = static_cast<Eigen::Index>(block) * width,
+                           n = std::min(width, right.cols() - first);
+        Rows y = Rows::Zero(right.rows(), width);
+        y.leftCols(n) = factor_.permutationP() * right.middleCols(first, n);
+        solve_in_place(lower_, diagonal, y);
+        result.middleCols(first, n) = factor_.permutationPinv() * y.leftCols(n);
+    });
+    return result;
+}
+
+}  // namespace counterpart::numerics
