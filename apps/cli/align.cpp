@@ -177,6 +177,11 @@ void add_align(CLI::App& program) {
                      "Weight of the map's pairs relative to the closest-point pairs in ICP; at least 0")
         ->check(non_negative())
         ->capture_default_str();
+    align->add_flag(
+        "--robust", command->icp.robust,
+        "Let pairs count the less in ICP the farther they are apart: for parts and damaged scans");
+    for (const char* name : {"--iterations", "--trim", "--known-weight", "--robust"})
+        align->get_option(name)->needs("--icp");
     add_common_options(*align, command->common);
     on_run(*align, command->common, [command] { run(*command); });
 }

@@ -7,6 +7,7 @@
 
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
+#include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <array>
@@ -116,67 +117,138 @@ std::vector<Eigen::Matrix3d> axis_rotations() {
     return result;
 }
 
-}  // namespace
+// Half at three times the median distance. Distances that are rounding count fully.
+Vector cauchy_weights(const Vector& squared_distances, double size) {
+    std::vector<double> sorted(squared_distances.begin(), squared_distances.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    const double half = std::max(9 * *middle, 1e-16 * size * size);
+    return 1 / (1 + squared_distances.array() / half);
+}
 
-IcpResult icp(MeshView source, MeshView target, const Affine& start, const SurfaceMap& known,
-              const IcpOptions& options) {
-    require_usable(source, target, known, options);
-    std::vector<Index> pairs;
-    for (Index v = 0; v < known.source_size(); ++v)
-        if (known[v].matched()) pairs.push_back(v);
-    const Eigen::Index count = source.n_vertices(), n_known = static_cast<Eigen::Index>(pairs.size());
-    Points from(count + n_known, 3), to(count + n_known, 3);
-    from.topRows(count) = source.vertices;
-    if (n_known > 0) {
-        from.bottomRows(n_known) = source.vertices(pairs, Eigen::all);
-        to.bottomRows(n_known) = image_positions(known, target)(pairs, Eigen::all);
+constexpr Index sample_size = 10'000;  // sampled above twice that
+
+std::vector<Index> sample(Index n_vertices) {
+    std::vector<Index> order(static_cast<std::size_t>(n_vertices));
+    std::iota(order.begin(), order.end(), 0);
+    Random(1).shuffle(order);
+    order.resize(sample_size);
+    std::sort(order.begin(), order.end());
+    return order;
+}
+
+// Whether distances have stopped falling: by less than a thousandth in so many rounds.
+class Stagnation {
+  public:
+    explicit Stagnation(std::size_t patience) : patience_(patience) {}
+
+    bool seen(double rms) {
+        rms_.push_back(rms);
+        return rms_.size() > patience_ && rms > 0.999 * rms_[rms_.size() - 1 - patience_];
     }
-    const numerics::ClosestTriangle closest(target.vertices, target.triangles);
-    const double size = (target.vertices.colwise().maxCoeff() - target.vertices.colwise().minCoeff()).norm();
 
-    IcpResult result{start};
-    Vector squared(count), weights(count + n_known);
-    Points normals = Points::Zero(count + n_known, 3);
-    Points moved = start(from);
-    with_threads(options.n_threads, [&] {
-        while (!result.converged && result.iterations < options.max_iterations) {
-            parallel_for(static_cast<std::size_t>(count), 64, [&](std::size_t i) {
-                const auto v = static_cast<Eigen::Index>(i);
-                const numerics::ClosestPoint point = closest.closest(moved.row(v).transpose());
-                squared[v] = point.squared_distance;
-                if (point.triangle < 0) return;  // no number: the distance stays infinite
-                to.row(v) = closest.position(point).transpose();
-                normals.row(v) = closest.normals().row(point.triangle);
-            });
-            if (!squared.allFinite())
-                throw InvalidInput(
-                    "ICP moves the source out of the range of numbers: coordinates are too large, or the "
-                    "start is not finite");
-            weights.head(count) = kept_pairs(squared, options.trim);
-            const double found = weights.head(count).sum();
-            result.rms_distance = std::sqrt(weights.head(count).dot(squared) / found);
+  private:
+    std::size_t patience_;
+    std::vector<double> rms_;
+};
+// From an unknown start, and from where a sample has ended.
+constexpr std::size_t patience = 10, patience_after_sample = 2;
+
+// Steps towards the closest points of the target, by all or some of the source's vertices.
+class Descent {
+  public:
+    Descent(MeshView source, MeshView target, const SurfaceMap& known, const IcpOptions& options)
+        : source_(source),
+          options_(options),
+          closest_(target.vertices, target.triangles),
+          size_((target.vertices.colwise().maxCoeff() - target.vertices.colwise().minCoeff()).norm()) {
+        std::vector<Index> pairs;
+        for (Index v = 0; v < known.source_size(); ++v)
+            if (known[v].matched()) pairs.push_back(v);
+        if (pairs.empty()) return;
+        known_from_ = source.vertices(pairs, Eigen::all);
+        known_to_ = image_positions(known, target)(pairs, Eigen::all);
+    }
+
+    // Goes on from `result`, for what is left of the iterations but at least one.
+    void run(const std::vector<Index>& vertices, std::size_t rounds, IcpResult& result) const {
+        const auto count = static_cast<Eigen::Index>(vertices.size()), n_known = known_from_.rows();
+        Points from(count + n_known, 3), to(count + n_known, 3);
+        from.topRows(count) = source_.vertices(vertices, Eigen::all);
+        from.bottomRows(n_known) = known_from_;
+        to.bottomRows(n_known) = known_to_;
+        Vector squared(count), weights(count + n_known);
+        Points normals = Points::Zero(count + n_known, 3);
+        Points moved = result.target_from_source(from);
+        Stagnation stagnation(rounds);
+        do {
+            find_closest(moved, to, normals, squared);
+            weights.head(count) = kept_pairs(squared, options_.trim);
+            const double kept = weights.head(count).sum();
+            result.rms_distance = std::sqrt(weights.head(count).dot(squared) / kept);
+            if (options_.robust) weights.head(count).array() *= cauchy_weights(squared, size_).array();
             if (n_known > 0)
-                weights.tail(n_known).setConstant(options.known_weight * found /
+                weights.tail(n_known).setConstant(options_.known_weight * weights.head(count).sum() /
                                                   static_cast<double>(n_known));
             // The first step closes the largest gaps and refuses points that determine no transform; those
             // along the normals then slide on the surface, where steps to the closest points creep.
             if (result.iterations == 0) {
-                result.target_from_source = fit_transform(from, to, options.model, weights);
+                result.target_from_source = fit_transform(from, to, options_.model, weights);
             } else {
-                const Affine step = plane_step(moved, to, normals, weights, options.model);
+                const Affine step = plane_step(moved, to, normals, weights, options_.model);
                 result.target_from_source.linear = step.linear * result.target_from_source.linear;
                 result.target_from_source.translation =
                     step.linear * result.target_from_source.translation + step.translation;
             }
             const Points next = result.target_from_source(from);
-            result.converged = (next - moved).rowwise().norm().maxCoeff() <= options.tolerance * size;
+            const double largest_move = (next - moved).rowwise().norm().maxCoeff();
+            result.converged =
+                largest_move <= options_.tolerance * size_ || stagnation.seen(result.rms_distance);
             moved = next;
             ++result.iterations;
-            report_progress(
-                options.progress,
-                result.converged ? 1 : static_cast<double>(result.iterations) / options.max_iterations);
-        }
+            report_progress(options_.progress,
+                            std::min(1.0, static_cast<double>(result.iterations) / options_.max_iterations));
+        } while (!result.converged && result.iterations < options_.max_iterations);
+    }
+
+  private:
+    void find_closest(const Points& moved, Points& to, Points& normals, Vector& squared) const {
+        parallel_for(static_cast<std::size_t>(squared.size()), 64, [&](std::size_t i) {
+            const auto v = static_cast<Eigen::Index>(i);
+            const numerics::ClosestPoint point = closest_.closest(moved.row(v).transpose());
+            squared[v] = point.squared_distance;
+            if (point.triangle < 0) return;  // no number: the distance stays infinite
+            to.row(v) = closest_.position(point).transpose();
+            normals.row(v) = closest_.normals().row(point.triangle);
+        });
+        if (!squared.allFinite())
+            throw InvalidInput(
+                "ICP moves the source out of the range of numbers: coordinates are too large, or the start "
+                "is not finite");
+    }
+
+    const MeshView source_;
+    const IcpOptions& options_;
+    const numerics::ClosestTriangle closest_;
+    const double size_;
+    Points known_from_{0, 3}, known_to_{0, 3};
+};
+
+}  // namespace
+
+IcpResult icp(MeshView source, MeshView target, const Affine& start, const SurfaceMap& known,
+              const IcpOptions& options) {
+    require_usable(source, target, known, options);
+    const Descent descent(source, target, known, options);
+    IcpResult result{start};
+    with_threads(options.n_threads, [&] {
+        const bool sampled = source.n_vertices() > 2 * sample_size;
+        if (sampled) descent.run(sample(source.n_vertices()), patience, result);
+        std::vector<Index> all(static_cast<std::size_t>(source.n_vertices()));
+        std::iota(all.begin(), all.end(), 0);
+        descent.run(all, sampled ? patience_after_sample : patience, result);
     });
+    report_progress(options.progress, 1);
     return result;
 }
 

@@ -87,6 +87,47 @@ TEST(Icp, KnownPairsCarryItOverALargeMotion) {
               1e-3);
 }
 
+TEST(Icp, ManyVerticesAreSampledFirstAndAllAreUsedAtTheEnd) {
+    const TriangleMesh target = make_body({.subdivisions = 4});
+    ASSERT_GT(target.n_vertices(), 60'000);
+    const Affine truth = some_motion(0.15, 1);
+    TriangleMesh source = target;
+    source.vertices = truth(target.vertices);
+    Affine start;
+    start.translation = -truth.translation;
+    const IcpResult result = icp(source, target, start);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LT((result.target_from_source(source.vertices) - target.vertices).rowwise().norm().maxCoeff(),
+              1e-6);
+}
+
+TEST(Icp, StopsWhereDistancesNoLongerFall) {
+    // A body half as large cannot be moved onto the other.
+    const TriangleMesh target = make_body({.subdivisions = 1});
+    TriangleMesh source = target;
+    source.vertices *= 0.5;
+    const IcpResult result = icp(source, target);
+    EXPECT_TRUE(result.converged);
+    EXPECT_GT(result.rms_distance, 0.01);
+}
+
+TEST(Icp, RobustWeightsLeaveOutWhatTheTargetLacks) {
+    // Of a body whose upper third is missing in the target; from a small turn.
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    TriangleMesh target = source;
+    std::vector<Index> kept;
+    for (Index t = 0; t < source.n_triangles(); ++t)
+        if (source.vertices(source.triangles(t, 0), 1) < 0.65) kept.push_back(t);
+    target.triangles = Triangles(source.triangles(kept, Eigen::all));
+    const Affine start = some_motion(0.1, 1);
+    const auto error = [&](const IcpOptions& options) {
+        const IcpResult result = icp(source, target, {start.linear, {0, 0, 0}}, {}, options);
+        return (result.target_from_source(source.vertices) - source.vertices).rowwise().norm().maxCoeff();
+    };
+    EXPECT_LT(error({.robust = true}), 1e-3);
+    EXPECT_GT(error({}), 1e-2);
+}
+
 TEST(Icp, AStartOutOfTheRangeOfNumbersIsRefused) {
     const TriangleMesh mesh = make_icosphere(2);
     for (const double factor :
