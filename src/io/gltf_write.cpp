@@ -116,9 +116,10 @@ void require_skeleton(const Stored& stored, const std::vector<GltfPrimitive>& wa
     for (std::size_t i = 0; i < stored.document.count("nodes"); ++i) {
         const GltfJson& node = stored.document.element("nodes", static_cast<std::int64_t>(i));
         if (!node.contains("mesh") || !node.contains("skin")) continue;
-        const auto mesh = static_cast<std::size_t>(number_at(stored.document, node, "mesh", 0));
+        const std::int64_t mesh = number_at(stored.document, node, "mesh", 0);
+        stored.document.element("meshes", mesh);  // a node that no scene shows may name any
         const GltfJson& skin = stored.document.element("skins", number_at(stored.document, node, "skin", -1));
-        n_joints[mesh] = static_cast<std::int64_t>(skin.at("joints").size());
+        n_joints[static_cast<std::size_t>(mesh)] = static_cast<std::int64_t>(skin.at("joints").size());
     }
     for (std::size_t p = 0; p < wanted.size(); ++p) {
         const SkinBinding& skin = wanted[p].skin;

@@ -125,6 +125,18 @@ TEST_F(GltfOfAStranger, AnImageNamedOftenIsStoredOnce) {
     EXPECT_EQ(count, 2U);  // the buffer and the image
 }
 
+// Reading follows the scene; writing looks at every node.
+TEST_F(GltfOfAStranger, ANodeThatNoSceneShowsMayNameNoMeshThatIsNotThere) {
+    Json json = triangle(inside);
+    json["scenes"] = {{{"nodes", {0}}}};
+    json["nodes"] = {{{"mesh", 0}}, {{"mesh", 30}, {"skin", 0}}};
+    json["skins"] = {{{"joints", {0}}}};
+    const AttributedMesh content = read_gltf(model(json)).content;
+    test::expect_error<IoError>([&] { write_gltf(content, folder_ / "out.glb"); },
+                                "there is no element 30 in 'meshes'");
+    EXPECT_FALSE(fs::exists(folder_ / "out.glb"));
+}
+
 TEST_F(GltfOfAStranger, OneFileIsOneBuffer) {
     Json json = triangle("own.bin");
     for (const char* again : {"own.bin", "./own.bin", "o%77n.bin"}) {
