@@ -58,9 +58,9 @@ counts() {
 coverage() {
   local target program source found
   declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]=vtk [ele]=ele
-    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_file [landmarks]=landmark_file
+    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes [landmarks]=landmark_file
     [surface_map]=surface_map_file [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
-  for target in $readers gltf_writing; do
+  for target in ${*:-$readers gltf_writing}; do
     program=$(program_of fuzz-coverage "${target%_writing}")
     mkdir -p "build/fuzz/corpus/${target%_writing}"
     FUZZ_TARGET=${target%_writing} LLVM_PROFILE_FILE=build/fuzz/$target.profraw "$program" -runs=0 \

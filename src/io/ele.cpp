@@ -6,8 +6,6 @@
 // which become polygons.
 #include "io/cells.hpp"
 
-#include <counterpart/io/file.hpp>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -144,18 +142,6 @@ Cells parse_outlines(std::string_view poly, std::string_view nodes, const std::s
     const Neighbors neighbors = read_segments(text, base, cells);
     trace_outlines(text, base, neighbors, cells);
     return cells;
-}
-
-Cells read_ele(const std::filesystem::path& file) {
-    const auto beside = [&](const char* extension) {
-        return std::filesystem::path(file).replace_extension(extension);
-    };
-    const std::filesystem::path elements = beside(".ele"), poly = beside(".poly"), node = beside(".node");
-    const bool has_node = std::filesystem::exists(node);
-    if (lower_extension(file) == ".poly" && !std::filesystem::exists(elements))
-        return parse_outlines(read_whole_file(poly), has_node ? read_whole_file(node) : "", poly.string());
-    const std::filesystem::path nodes = has_node ? node : poly;
-    return parse_ele(read_whole_file(nodes), read_whole_file(elements), nodes.string(), elements.string());
 }
 
 }  // namespace counterpart::io

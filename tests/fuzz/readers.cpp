@@ -14,6 +14,7 @@
 #include "io/npy_bytes.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/io/base_colors.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <array>
@@ -93,12 +94,17 @@ void read_cells_bytes(std::string_view bytes) {
     use_cells(read(bytes, name));
 }
 
-// A form feed parts the vertices from the elements; without one it is outlines.
+// Two files in one: a form feed parts vertices from elements, a vertical tab outlines from their vertices;
+// without them it is outlines that hold their own.
 void read_ele_bytes(std::string_view bytes) {
-    const std::size_t end = bytes.find('\f');
-    use_cells(end == std::string_view::npos
-                  ? parse_outlines(bytes, "", name)
-                  : parse_ele(bytes.substr(0, end), bytes.substr(end + 1), name, name));
+    const std::size_t end = bytes.find_first_of("\f\v");
+    const std::string_view first = bytes.substr(0, end);
+    if (end == std::string_view::npos)
+        use_cells(parse_outlines(first, "", name));
+    else if (bytes[end] == '\f')
+        use_cells(parse_ele(first, bytes.substr(end + 1), name, name));
+    else
+        use_cells(parse_outlines(first, bytes.substr(end + 1), name));
 }
 
 GltfFile read_gltf_bytes(std::string_view bytes) {
@@ -130,8 +136,13 @@ void read_and_write_gltf(std::string_view bytes) {
     const AttributedMesh content = read_gltf_bytes(bytes).content;
     require_valid(content.mesh);
     const AttributedMesh written = rewritten(content, bytes.size() % 4);
-    const AttributedMesh again = read_gltf_bytes(gltf_bytes(written, bytes.size() % 8 < 4)).content;
+    const double frames_per_second = bytes.size() % 3 == 0 ? 24 : 0;
+    const AttributedMesh again =
+        read_gltf_bytes(gltf_bytes(written, bytes.size() % 8 < 4, frames_per_second)).content;
     require(again.mesh.n_triangles() == content.mesh.n_triangles());
+    const BaseColors colors = read_base_colors(content, "/absent/fuzzed.gltf");
+    for (const Index image : colors.image_of_triangle)
+        require(image >= -1 && image < static_cast<Index>(colors.images.size()));
 }
 
 // The first byte chooses the kind of file, and what the caller says of the target.
