@@ -37,7 +37,7 @@ struct SpectralResult;
 class SpectralShape {
   public:
     /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 20 distinct vertex
-    /// positions, and options out of range; Canceled. About O(V^1.2 basis_size) up to 20 000 vertices; above,
+    /// positions, and options out of range; Canceled. About O(V^1.2 basis_size) up to 8000 vertices; above,
     /// O(V log V).
     explicit SpectralShape(MeshView mesh, const SpectralShapeOptions& options = {});
 
@@ -95,8 +95,8 @@ struct SpectralResult {
 ///
 /// With progress the work runs on a thread of its own while the calling thread reports; cancelling takes
 /// effect within about half a second at 100 000 vertices. Throws InvalidInput as SpectralShape, and for
-/// options out of range; Canceled. About O(V^1.2 basis_size) time and O(V basis_size) memory up to 20 000
-/// vertices; above, a proxy of 8000 vertices is matched in their place, and O(V log V) time and O(V) memory
+/// options out of range; Canceled. About O(V^1.2 basis_size) time and O(V basis_size) memory up to 8000
+/// vertices; above, a proxy of 6000 vertices is matched in their place, and O(V log V) time and O(V) memory
 /// are added.
 SpectralResult match_spectral(MeshView source, MeshView target, const SpectralOptions& options = {},
                               const SpectralShapeOptions& shape_options = {});

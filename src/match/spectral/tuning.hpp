@@ -32,11 +32,13 @@ struct PreparationTuning {
     int n_relief_steps = 4;
     /// Above this many vertices a mesh is matched by a proxy; where that does not do, eigenfunctions are
     /// sought in a subspace of local functions.
-    Index large_mesh = 20000;
-    Index proxy_size = 8000;       ///< vertices
+    Index large_mesh = 8000;
+    /// Vertices. With 8000 pairs of 16 000 to 250 000 vertices take 10 % longer and are as right (1.60 and
+    /// 1.64, 1.43 and 1.54, 0.85 and 0.86; at 10 000 vertices 0.76 and 0.66).
+    Index proxy_size = 6000;
     double min_proxy_area = 0.85;  ///< of a proxy, as a share of the full surface's
-    /// Of the eigenfunctions: matching does not ask whether the last five of 200 are mixed with the next. 1e-3
-    /// takes half the time of 1e-8.
+    /// Of the eigenfunctions: matching does not ask whether the last five of 200 are mixed with the next.
+    /// 1e-3 takes half the time of 1e-8.
     double basis_tolerance = 1e-3;
     int min_local_functions = 3000, local_functions_per_eigenfunction = 10;
     /// Of a local function, in radii of a disk that is one sample's share of the area (Magnet and
