@@ -41,7 +41,7 @@ TriangleMesh base_mesh(Numbers& numbers) {
     const int size = numbers.byte() % 4;
     switch (numbers.byte() % 5) {
         case 0:
-            return make_icosphere(size % 3);
+            return make_icosphere(size % 2);
         case 1:
             return make_grid(2 + size, 3);
         case 2:
@@ -168,7 +168,7 @@ void partial(Numbers& numbers) {
     options.n_threads = 1;
     options.n_samples = 200;
     options.n_alternatives = numbers.byte() % 3;
-    options.same_scale = numbers.byte() % 8 != 0;  // searching the scale takes long
+    options.same_scale = numbers.byte() % 32 != 0;  // searching the scale takes long
     options.part = static_cast<Part>(numbers.byte() % 5);
     const int size = numbers.byte() % 4;
     Pair pair;
