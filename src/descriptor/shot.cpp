@@ -118,7 +118,8 @@ ShotSurface::Cloud ShotSurface::cloud_of(MeshView mesh, PointsView normals, doub
         for (int i = 0; i < m; ++i)
             for (int j = 0; j < 2 * (m - i) - 1; ++j) {  // the row's triangles, in turns upright and inverted
                 const double a = (i + (j % 2 == 0 ? 1.0 : 2.0) / 3) / m;
-                const double b = (j / 2 + (j % 2 == 0 ? 1.0 : 2.0) / 3) / m;
+                const int pair = j / 2;
+                const double b = (pair + (j % 2 == 0 ? 1.0 : 2.0) / 3) / m;
                 const Eigen::RowVector3d weights(1 - a - b, a, b);
                 cloud.points.row(n) = weights * corners;
                 cloud.normals.row(n) = (weights * corner_normals).normalized();
