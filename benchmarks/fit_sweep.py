@@ -70,7 +70,9 @@ def main() -> None:
         print(json.dumps(rows[-1]), flush=True)
     fitted = [row for row in rows if "left_out" not in row]
     if fitted:
-        worst = {key: max(row[key] for row in fitted) for key in ("mean_distance_percent", "added_folds_percent", "seconds")}
+        worst = {
+            key: max(row[key] for row in fitted) for key in ("mean_distance_percent", "added_folds_percent", "seconds")
+        }
         worst["least_area_ratio"] = min(row["least_area_ratio"] for row in fitted)
         print(json.dumps({"fitted": len(fitted), "left_out": len(rows) - len(fitted), "worst": worst}))
 

@@ -76,7 +76,11 @@ void compare_connectivity(const TriangleMesh& first, const TriangleMesh& second,
     }
 }
 
-void compare_parts(const MeshReport& first, const MeshReport& second, double ratio, MeshComparison& result) {
+// Sentences name the meshes by these.
+using Names = std::array<std::string, 2>;
+
+void compare_parts(const MeshReport& first, const MeshReport& second, double ratio, const Names& names,
+                   MeshComparison& result) {
     if (first.components.size() != second.components.size())
         result.sentences.push_back(fmt::format("{} components against {}: parts may be missing or separate",
                                                first.components.size(), second.components.size()));
@@ -85,10 +89,55 @@ void compare_parts(const MeshReport& first, const MeshReport& second, double rat
     const double area = second.area / first.area / (ratio * ratio);
     const double share = second_is_open ? 1 - area : 1 - 1 / area;
     result.sentences.push_back(fmt::format(
-        "the {} is open ({} boundary loops) and the other closed{}: holes or missing parts",
-        second_is_open ? "second" : "first",
-        second_is_open ? second.n_boundary_loops : first.n_boundary_loops,
+        "{} is open ({} boundary loops) and the other closed{}: holes or missing parts",
+        names[second_is_open ? 1 : 0], second_is_open ? second.n_boundary_loops : first.n_boundary_loops,
         share > 0.03 ? fmt::format(", with about {:.0f} % less area for its size", 100 * share) : ""));
+}
+
+void compare_orientation(const TriangleMesh& mesh, const MeshReport& report, const char* key,
+                         const std::string& name, MeshComparison& result) {
+    const bool inside_out = report.is_closed() && signed_volume(mesh) < 0;
+    result.details[key] = inside_out;
+    if (inside_out) result.sentences.push_back(fmt::format("{} is inside out", name));
+}
+
+void compare_scale(double ratio, const Names& names, MeshComparison& result) {
+    result.details["scale"] = ratio;
+    if (std::abs(std::log(ratio)) > unit_tolerance)
+        result.sentences.push_back(
+            fmt::format("{} is {:.4g} times as large as {}{}", names[1], ratio, names[0], units_of(ratio)));
+}
+
+void compare_axes(const Eigen::RowVector3d& first_box, const Eigen::RowVector3d& second_box,
+                  const Names& names, MeshComparison& result) {
+    const std::array<int, 3> axes = alike_axes(first_box, second_box);
+    constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
+    auto found = nlohmann::ordered_json::array();
+    for (const int axis : axes) found.push_back(axis_names[static_cast<std::size_t>(axis)]);
+    result.details["axes"] = found;
+    if (axes[1] != 1)
+        result.sentences.push_back(fmt::format("another axis points up? y of {} looks like {} of {}",
+                                               names[0], axis_names[static_cast<std::size_t>(axes[1])],
+                                               names[1]));
+}
+
+// All but the connectivity, in the order in which these spoil maps.
+void compare_geometry(const TriangleMesh& first, const MeshReport& first_report, const TriangleMesh& second,
+                      const MeshReport& second_report, const Names& names, MeshComparison& result) {
+    const Eigen::RowVector3d first_box = first_report.box_max - first_report.box_min,
+                             second_box = second_report.box_max - second_report.box_min;
+    const double ratio = second_box.norm() / std::max(1e-300, first_box.norm());
+    compare_parts(first_report, second_report, ratio, names, result);
+    compare_orientation(first, first_report, "first_inside_out", names[0], result);
+    compare_orientation(second, second_report, "second_inside_out", names[1], result);
+    for (const auto& [report, name] : {std::pair{&first_report, names[0]}, {&second_report, names[1]}})
+        if (report->n_duplicate_vertices > 0)
+            result.sentences.push_back(
+                fmt::format("{} has {} vertices at the place of another: '--weld' of 'match' and 'convert' "
+                            "merges them",
+                            name, report->n_duplicate_vertices));
+    compare_scale(ratio, names, result);
+    compare_axes(first_box, second_box, names, result);
 }
 
 }  // namespace
@@ -97,38 +146,22 @@ MeshComparison compare_meshes(const TriangleMesh& first, const MeshReport& first
                               const TriangleMesh& second, const MeshReport& second_report) {
     MeshComparison result;
     compare_connectivity(first, second, result);
-    const Eigen::RowVector3d first_box = first_report.box_max - first_report.box_min,
-                             second_box = second_report.box_max - second_report.box_min;
-    const double ratio = second_box.norm() / std::max(1e-300, first_box.norm());
-    result.details["scale"] = ratio;
-    if (std::abs(std::log(ratio)) > unit_tolerance)
-        result.sentences.push_back(
-            fmt::format("the second is {:.4g} times as large as the first{}", ratio, units_of(ratio)));
-
-    const std::array<int, 3> axes = alike_axes(first_box, second_box);
-    constexpr std::array<const char*, 3> names = {"x", "y", "z"};
-    auto axis_names = nlohmann::ordered_json::array();
-    for (const int axis : axes) axis_names.push_back(names[static_cast<std::size_t>(axis)]);
-    result.details["axes"] = axis_names;
-    if (axes[1] != 1)
-        result.sentences.push_back(
-            fmt::format("another axis points up? y of the first looks like {} of the second",
-                        names[static_cast<std::size_t>(axes[1])]));
-
-    const auto inside_out = [&](const TriangleMesh& mesh, const MeshReport& report, const char* name) {
-        const bool is = report.is_closed() && signed_volume(mesh) < 0;
-        if (is) result.sentences.push_back(fmt::format("the {} is inside out", name));
-        return is;
-    };
-    result.details["first_inside_out"] = inside_out(first, first_report, "first");
-    result.details["second_inside_out"] = inside_out(second, second_report, "second");
-    for (const auto& [report, name] : {std::pair{&first_report, "first"}, {&second_report, "second"}})
-        if (report->n_duplicate_vertices > 0)
-            result.sentences.push_back(
-                fmt::format("the {} has {} vertices at the place of another: '--weld' merges them", name,
-                            report->n_duplicate_vertices));
-    compare_parts(first_report, second_report, ratio, result);
+    compare_geometry(first, first_report, second, second_report, {"the first", "the second"}, result);
     return result;
+}
+
+std::vector<std::string> probable_causes(const TriangleMesh& source, const TriangleMesh& target,
+                                         const std::string& source_name, const std::string& target_name) {
+    MeshComparison result;
+    const MeshReport source_report = analyze(source), target_report = analyze(target);
+    compare_geometry(source, source_report, target, target_report, {source_name, target_name}, result);
+    // After missing parts, which are first.
+    const bool parts = source_report.is_closed() != target_report.is_closed() ||
+                       source_report.components.size() != target_report.components.size();
+    auto place = result.sentences.begin();
+    while (parts && place != result.sentences.end() && place->find("missing") != std::string::npos) ++place;
+    result.sentences.insert(place, "the two are unlike shapes, or alike in themselves (a symmetry)");
+    return result.sentences;
 }
 
 }  // namespace counterpart::cli

@@ -21,4 +21,9 @@ struct MeshComparison {
 MeshComparison compare_meshes(const TriangleMesh& first, const MeshReport& first_report,
                               const TriangleMesh& second, const MeshReport& second_report);
 
+/// What may be the cause of a doubtful map, the likeliest first: missing parts, unlike shapes, mirrored or
+/// inside out, not welded, other units, another axis up.
+std::vector<std::string> probable_causes(const TriangleMesh& source, const TriangleMesh& target,
+                                         const std::string& source_name, const std::string& target_name);
+
 }  // namespace counterpart::cli

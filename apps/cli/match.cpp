@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "compare_meshes.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
 #include "match_partial.hpp"
@@ -21,6 +22,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace counterpart::cli {
 namespace {
@@ -187,8 +189,15 @@ void run(const MatchCommand& command) {
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
     const Verdict verdict = verdict_on(outcome, source);
+    const std::vector<std::string> causes =
+        verdict.word == "use"
+            ? std::vector<std::string>()
+            : probable_causes(source, target, command.source.string(), command.target.string());
     if (outcome.failure.empty()) {
         say(command.common, verdict.sentence());
+        if (!causes.empty())
+            say(command.common,
+                fmt::format("probable causes, the likeliest first: {}", fmt::join(causes, "; ")));
         write_outputs(command, outcome);
         write_functional_map(command, outcome, source, target);
     }
@@ -207,6 +216,7 @@ void run(const MatchCommand& command) {
                   {"target", command.target.string()},
                   {"verdict", verdict.word},
                   {"verdict_reason", verdict.reason},
+                  {"probable_causes", causes},
                   {"method", command.method},
                   {"source_vertices", source.n_vertices()},
                   {"target_vertices", target.n_vertices()},

@@ -61,9 +61,11 @@ Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source) {
                          confidence[v] < doubtful);
     const auto n_doubtful = std::count(marked.begin(), marked.end(), 1);
     const double share = static_cast<double>(n_doubtful) / static_cast<double>(marked.size());
-    const std::string where = n_doubtful == 0 ? ""
-                                              : fmt::format("{:.0f} % of the vertices are doubtful, {}",
-                                                            100 * share, place_of(marked, source));
+    constexpr double nearly_all = 0.9;  // then no place says more than another
+    const std::string where = n_doubtful == 0      ? ""
+                              : share > nearly_all ? "nearly all vertices are doubtful"
+                                                   : fmt::format("{:.0f} % of the vertices are doubtful, {}",
+                                                                 100 * share, place_of(marked, source));
     const auto with_where = [&](const std::string& reason) {
         return reason.empty() || where.empty() ? reason + where : reason + "; " + where;
     };

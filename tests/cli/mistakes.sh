@@ -111,6 +111,16 @@ sed 's/^f \([0-9]*\) \([0-9]*\) /f \2 \1 /' c.obj > inside_out.obj
 run match a.obj inside_out.obj -o x.txt --method spectral --basis-size 40 --samples 200 -q
 says "warning: inside_out.obj: inside out"
 
+# ---- the verdict first, and probable causes where it is not 'use' ----
+run match a.obj b.obj -o x.txt --report r.json
+head -1 err | grep -qx use || { cat err; fail "no verdict first"; }
+run deform body d.obj --subdivisions 0 -q
+awk '$1 == "f" && ++n <= 3 {next} $1 == "v" {$2 *= 1000; $3 *= 40; $4 *= 900} {print}' d.obj > unlike.obj
+run match c.obj unlike.obj -o x.txt --method nearest --report r.json
+head -1 err | grep -q '^check: ' || { cat err; fail "no verdict first"; }
+says "^probable causes, the likeliest first: unlike.obj is open (.*unlike shapes.*times as large as c.obj"
+grep -q '"verdict": "check"' r.json && grep -q '"probable_causes": \[' r.json || fail "the report has no verdict"
+
 # ---- two meshes without a map are matched ----
 for command in "morph a.obj b.obj -n 1 -o frames" "view a.obj b.obj -o v.html" "align a.obj b.obj -o x.obj"; do
   run $command
