@@ -53,6 +53,7 @@ class Counterparts {
     }
 
     bool is_recut(Index t, Index a, Index b, Index tip) const {
+        if (a == b) return false;  // of a degenerate triangle: no edge
         for (const Index u : around_.around(a)) {
             const auto v = source_.triangles.row(u);
             const Index other = v[0] + v[1] + v[2] - a - b;

@@ -180,6 +180,7 @@ CornerAttribute evaluate(const std::vector<CornerPoints>& points, MeshView targe
     for (Index t = 0; t < target.n_triangles(); ++t) {
         for (int c = 0; c < 3; ++c) {
             const SurfacePoint& point = points[static_cast<std::size_t>(t)][static_cast<std::size_t>(c)];
+            if (point.triangle < 0) continue;  // too far away to be measured
             const auto corners = attribute.corners.row(point.triangle);
             if (corners.minCoeff() < 0) continue;
             Eigen::RowVectorXd value = Eigen::RowVectorXd::Zero(attribute.values.cols());
