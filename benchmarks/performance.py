@@ -30,8 +30,8 @@ def measured(arguments):
 
 def print_table(rows):
     stages = ["read", "prepare", "candidates", "selection", "trial", "refinement", "lift", "write"]
-    print("| vertices | seconds | MiB | error |", *stages, "|", sep=" | ")
-    print("|---" * (4 + len(stages)), "|", sep="")
+    print("|", " | ".join(["vertices", "seconds", "MiB", "error", *stages]), "|")
+    print("|---" * (4 + len(stages)) + "|")
     for row in rows:
         times = [f"{row['stage_seconds'].get(stage, 0):.2f}" for stage in stages]
         figures = [f"{row['vertices']:,}".replace(",", " "), f"{row['median_seconds']:.2f}"]
