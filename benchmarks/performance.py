@@ -57,7 +57,7 @@ def draw(rows, picture):
         axis.set_title(title, fontsize=10)
         axis.grid(True, which="both", alpha=0.2)
         axis.legend(frameon=False)
-    figure.savefig(picture)
+    figure.savefig(picture, metadata={"Date": None} if picture.endswith(".svg") else None)
 
 
 parser = argparse.ArgumentParser()
@@ -66,7 +66,7 @@ parser.add_argument("results", type=pathlib.Path)
 parser.add_argument("picture")
 parser.add_argument("--repeats", type=int, default=5)
 parser.add_argument("--threads", type=int, default=2)
-parser.add_argument("--largest", type=int, default=4)
+parser.add_argument("--largest", type=int, choices=range(1, 6), default=4)
 found = measured(parser.parse_args())
 print_table(found)
 draw(found, parser.parse_args().picture)

@@ -86,6 +86,42 @@ class Mesh:
         self._content = content
 
     @classmethod
+    def from_polygons(cls, vertices: Any, sizes: Any, corners: Any) -> Mesh:
+        """A mesh of polygons: the triangles that they are cut into, and which belong together.
+
+        Exact and frontier matching compare the polygons where both meshes have them, so that it does not matter how
+        they are cut.
+
+        Parameters
+        ----------
+        vertices : array_like, (n_vertices, 3)
+            Positions.
+        sizes : array_like of int, (n_polygons,)
+            How many corners each polygon has, at least 3.
+        corners : array_like of int, (sum of sizes,)
+            The vertices at the corners of one polygon after the other, counter-clockwise seen from outside.
+
+        Raises
+        ------
+        InvalidInput
+            Sizes and corners do not fit each other or the vertices.
+
+        Examples
+        --------
+        >>> import counterpart
+        >>> square = counterpart.Mesh.from_polygons([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [4], [0, 1, 2, 3])
+        >>> square
+        Mesh(4 vertices, 2 triangles, 1 polygons)
+        """
+        return cls._of(
+            _core.Content.of_polygons(
+                floats(vertices, "vertices", (-1, 3)),
+                integers(sizes, "sizes", (-1,)),
+                integers(corners, "corners", (-1,)),
+            )
+        )
+
+    @classmethod
     def _of(cls, content: _core.Content, notices: Sequence[str] = ()) -> Mesh:
         mesh = cls.__new__(cls)
         mesh._vertices, mesh._triangles = content.vertices, content.triangles
@@ -101,6 +137,11 @@ class Mesh:
     def triangles(self) -> IntArray:
         """Vertex numbers from 0, n_triangles x 3."""
         return self._triangles
+
+    @property
+    def polygons(self) -> tuple[IntArray, IntArray] | None:
+        """How many corners each polygon has, and the vertices there, one polygon after the other; or None."""
+        return self._content.polygons if self._content else None
 
     @property
     def faces(self) -> IntArray:
@@ -144,7 +185,8 @@ class Mesh:
         return iter((self._vertices, self._triangles))
 
     def __repr__(self) -> str:
-        kinds = ["normals"] if self.normals else []
+        kinds = [f"{len(self.polygons[0])} polygons"] if self.polygons else []
+        kinds += ["normals"] if self.normals else []
         kinds += ["texture coordinates"] if self.texture_coordinates else []
         kinds += ["colors"] if self.colors else []
         kinds += ["skin"] if self.skin else []
@@ -164,38 +206,55 @@ def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple
     return values, integers(corners, f"corners of the {what}", (-1, 3))
 
 
-def _of_meshio(mesh: Any) -> tuple[Any, Any]:
-    flat = {"triangle", "vertex", "line"}
-    other = [kind for kind in mesh.cells_dict if kind not in flat]
-    if other or "triangle" not in mesh.cells_dict:
-        raise InvalidInput(f"only triangles can be matched, this mesh has cells of {', '.join(other) or 'no area'}")
+def _of_meshio(mesh: Any) -> Mesh:
+    surfaces = [cells for cells in mesh.cells if cells.type in ("triangle", "quad", "polygon")]
+    other = {cells.type for cells in mesh.cells} - {"triangle", "quad", "polygon", "vertex", "line"}
+    if other or not surfaces:
+        raise InvalidInput(
+            f"only surfaces can be matched, this mesh has cells of {', '.join(sorted(other)) or 'no area'}"
+        )
     points = np.asarray(mesh.points)
     if points.ndim == 2 and points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points))])
-    return points, mesh.cells_dict["triangle"]
+    faces = [np.asarray(cells.data) for cells in surfaces]
+    if all(block.shape[1] == 3 for block in faces):
+        return Mesh(points, np.concatenate(faces))
+    sizes = np.concatenate([np.full(len(block), block.shape[1]) for block in faces])
+    return Mesh.from_polygons(points, sizes, np.concatenate([block.ravel() for block in faces]))
 
 
-def _of_pyvista(mesh: Any) -> tuple[Any, Any]:
-    if not mesh.is_all_triangles:
-        raise InvalidInput("only triangles can be matched, this mesh has other faces: call triangulate() first")
-    return mesh.points, np.asarray(mesh.faces).reshape(-1, 4)[:, 1:]
+def _of_pyvista(mesh: Any) -> Mesh:
+    faces = np.asarray(mesh.faces)
+    if mesh.is_all_triangles:
+        return Mesh(mesh.points, faces.reshape(-1, 4)[:, 1:])
+    sizes, at = [], 0  # each face's number of corners stands before them
+    is_corner = np.ones(len(faces), bool)
+    while at < len(faces):
+        is_corner[at] = False
+        sizes.append(int(faces[at]))
+        at += sizes[-1] + 1
+    return Mesh.from_polygons(mesh.points, sizes, faces[is_corner])
 
 
-def arrays_of(mesh: MeshLike) -> tuple[FloatArray, IntArray]:
-    """Vertices and triangles of any mesh, in the library's type and layout."""
+def _mesh_of(mesh: MeshLike) -> Mesh:
     if isinstance(mesh, Mesh):
-        return mesh.vertices, mesh.triangles
+        return mesh
     if isinstance(mesh, (str, os.PathLike)):
-        return arrays_of(read(mesh))
-    vertices, triangles = _pair_of(mesh)
-    return floats(vertices, "vertices", (-1, 3)), integers(triangles, "triangles", (-1, 3))
-
-
-def _pair_of(mesh: Any) -> tuple[Any, Any]:
+        return read(mesh)
     if hasattr(mesh, "cells_dict") and hasattr(mesh, "points"):
         return _of_meshio(mesh)
     if hasattr(mesh, "is_all_triangles") and hasattr(mesh, "points"):
         return _of_pyvista(mesh)
+    return Mesh(*_pair_of(mesh))
+
+
+def arrays_of(mesh: MeshLike) -> tuple[FloatArray, IntArray]:
+    """Vertices and triangles of any mesh, in the library's type and layout."""
+    found = _mesh_of(mesh)
+    return found.vertices, found.triangles
+
+
+def _pair_of(mesh: Any) -> tuple[Any, Any]:
     for names in (("vertices", "faces"), ("vertices", "triangles"), ("vertlist", "facelist")):  # the last: pyFM
         if all(hasattr(mesh, name) for name in names):
             return getattr(mesh, names[0]), getattr(mesh, names[1])
@@ -208,21 +267,19 @@ def _pair_of(mesh: Any) -> tuple[Any, Any]:
 
 
 def core_mesh(mesh: MeshLike) -> _core.Mesh:
-    """The mesh as the library sees it: the arrays themselves, checked."""
-    return _core.Mesh(*arrays_of(mesh))
+    """The mesh as the library sees it: the arrays themselves, checked, and its polygons."""
+    found = _mesh_of(mesh)
+    return _core.Mesh(found._content) if found._content else _core.Mesh(found.vertices, found.triangles)
 
 
 def content_of(mesh: MeshLike) -> _core.Content:
     """The mesh with its attributes as the library holds it."""
-    if isinstance(mesh, (str, os.PathLike)):
-        mesh = read(mesh)
-    if isinstance(mesh, Mesh) and mesh._content is not None:
-        return mesh._content
-    return _core.Content(*arrays_of(mesh))
+    found = _mesh_of(mesh)
+    return found._content or _core.Content(found.vertices, found.triangles)
 
 
 def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
-    """Read OFF, OBJ, PLY, STL or glTF (.glb, .gltf) with the attributes that the format holds.
+    """Read OFF, OBJ, PLY, STL or glTF (.glb, .gltf) with the polygons and attributes that the format holds.
 
     Vertices are those of the file, in its order (STL and glTF, which split them: merged again).
 

@@ -5,7 +5,9 @@
 namespace counterpart::python {
 
 Mesh::Mesh(PointArray vertices, TriangleArray triangles)
-    : vertices_(std::move(vertices)), triangles_(std::move(triangles)) {
+    : vertices_(std::move(vertices)),
+      triangles_(std::move(triangles)),
+      view_(map_of(vertices_), map_of(triangles_)) {
     const nb::gil_scoped_release release;
     require_valid(view());
 }

@@ -64,20 +64,23 @@ inline Eigen::Map<const Eigen::MatrixXd> map_of(const ColumnArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.shape(0)),
             static_cast<Eigen::Index>(array.shape(1))};
 }
-/// A mesh whose vertices and triangles stay in the caller's arrays, which it keeps alive.
+/// A mesh that is kept elsewhere.
 class Mesh {
   public:
-    /// Throws InvalidInput as require_valid does.
+    /// In the caller's arrays, which it keeps alive. Throws InvalidInput as require_valid does.
     Mesh(PointArray vertices, TriangleArray triangles);
+    /// A valid one that outlives it, with its polygons.
+    explicit Mesh(const TriangleMesh& mesh) : view_(mesh) {}
 
-    MeshView view() const { return {map_of(vertices_), map_of(triangles_)}; }
-    operator MeshView() const { return view(); }
-    Index n_vertices() const { return static_cast<Index>(vertices_.shape(0)); }
-    Index n_triangles() const { return static_cast<Index>(triangles_.shape(0)); }
+    MeshView view() const { return view_; }
+    operator MeshView() const { return view_; }
+    Index n_vertices() const { return view_.n_vertices(); }
+    Index n_triangles() const { return view_.n_triangles(); }
 
   private:
     PointArray vertices_;
     TriangleArray triangles_;
+    MeshView view_;
 };
 
 /// From its triangles and weights (n x 3); throws InvalidInput unless it fits that many target triangles.

@@ -52,6 +52,17 @@ CornerAttribute attribute_of(const MatrixArray& values, const TriangleArray& cor
 
 using JointArray = nb::ndarray<const Index, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
+// How many corners each polygon has, and the vertices there; nothing of a mesh of triangles.
+std::optional<std::tuple<NewVector<Index>, NewVector<Index>>> polygons_of(const TriangleMesh& mesh) {
+    const Polygons& polygons = mesh.polygons;
+    if (polygons.empty()) return std::nullopt;
+    std::vector<Index> sizes, corners(static_cast<std::size_t>(polygons.n_corners()));
+    for (Index p = 0; p < polygons.count(); ++p) sizes.push_back(polygons.size(p));
+    for (Eigen::Index i = 0; i < polygons.corners.size(); ++i)
+        corners[static_cast<std::size_t>(polygons.corners.data()[i])] = mesh.triangles.data()[i];
+    return std::tuple(array(std::move(sizes)), array(std::move(corners)));
+}
+
 SkinBinding skin_of(const JointArray& joints, const MatrixArray& weights) {
     using Joints = decltype(SkinBinding::joints);
     return {Eigen::Map<const Joints>(joints.data(), static_cast<Eigen::Index>(joints.shape(0)),
@@ -72,6 +83,19 @@ void bind_content(nb::module_& module) {
                 self->mesh = std::move(mesh);
             },
             "vertices"_a.noconvert(), "triangles"_a.noconvert())
+        .def_static(
+            "of_polygons",
+            [](const PointArray& vertices, const IndexArray& sizes, const IndexArray& corners) {
+                AttributedMesh content;
+                content.mesh = cut_into_triangles(map_of(vertices), {sizes.data(), sizes.size()},
+                                                  {corners.data(), corners.size()});
+                require_valid(content.mesh);
+                return content;
+            },
+            "vertices"_a.noconvert(), "sizes"_a.noconvert(), "corners"_a.noconvert())
+        .def_prop_ro(
+            "polygons", [](const AttributedMesh& self) { return polygons_of(self.mesh); },
+            nb::rv_policy::move)
         .def_prop_ro("vertices", [](AttributedMesh& self) { return view_of(self, self.mesh.vertices); })
         .def_prop_ro("triangles", [](AttributedMesh& self) { return view_of(self, self.mesh.triangles); })
         .def_prop_ro("normals", [](AttributedMesh& self) { return view_of(self, self.normals); })

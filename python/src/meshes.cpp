@@ -7,6 +7,7 @@
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/analyze.hpp>
+#include <counterpart/mesh/attributed_mesh.hpp>
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -48,6 +49,9 @@ Matrix distances(const Mesh& mesh, std::vector<Index> sources, bool shortcuts,
 void bind_meshes(nb::module_& module) {
     nb::class_<Mesh>(module, "Mesh")
         .def(nb::init<PointArray, TriangleArray>(), "vertices"_a.noconvert(), "triangles"_a.noconvert())
+        .def(
+            "__init__", [](Mesh* self, const AttributedMesh& content) { new (self) Mesh(content.mesh); },
+            "content"_a, nb::keep_alive<1, 2>())
         .def_prop_ro("n_vertices", &Mesh::n_vertices)
         .def_prop_ro("n_triangles", &Mesh::n_triangles);
 

@@ -9,6 +9,18 @@ import numpy as np
 import pytest
 
 V, T = counterpart.make_icosphere(1)
+CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 2)], float)
+QUADS = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]])
+
+
+def meshio_like(points, **blocks):
+    cells = [SimpleNamespace(type=kind, data=data) for kind, data in blocks.items()]
+    return SimpleNamespace(points=points, cells=cells, cells_dict=blocks)
+
+
+def pyvista_like(points, *faces):
+    flat = np.concatenate([[len(face), *face] for face in faces])
+    return SimpleNamespace(points=points, is_all_triangles=all(len(face) == 3 for face in faces), faces=flat)
 
 
 @pytest.mark.parametrize(
@@ -16,8 +28,8 @@ V, T = counterpart.make_icosphere(1)
     [
         SimpleNamespace(vertices=V, faces=T.astype(np.int64)),
         SimpleNamespace(vertices=V, triangles=T),
-        SimpleNamespace(points=V, is_all_triangles=True, faces=np.c_[np.full(len(T), 3), T].ravel()),
-        SimpleNamespace(points=V, cells_dict={"triangle": T, "line": T[:, :2]}),
+        pyvista_like(V, *T),
+        meshio_like(V, triangle=T, line=T[:, :2]),
         SimpleNamespace(vertlist=V, facelist=T),
         [V, T],
         counterpart.Mesh(V, T),
@@ -30,14 +42,46 @@ def test_looks_like_a_mesh(mesh):
 @pytest.mark.parametrize(
     "mesh",
     [
-        SimpleNamespace(points=V, cells_dict={"triangle": T, "quad": np.zeros((1, 4), int)}),
-        SimpleNamespace(points=V, cells_dict={"tetra": np.zeros((1, 4), int)}),
-        SimpleNamespace(points=V, is_all_triangles=False, faces=T),
+        meshio_like(V, triangle=T, tetra=np.zeros((1, 4), int)),
+        meshio_like(V, tetra=np.zeros((1, 4), int)),
+        meshio_like(V, line=T[:, :2]),
     ],
 )
 def test_nothing_is_dropped(mesh):
-    with pytest.raises(counterpart.InvalidInput, match="only triangles"):
+    with pytest.raises(counterpart.InvalidInput, match="only surfaces"):
         counterpart.inspect(mesh)
+
+
+@pytest.mark.parametrize(
+    "mesh",
+    [
+        meshio_like(CUBE, quad=QUADS),
+        meshio_like(CUBE, quad=QUADS[:4], polygon=QUADS[4:]),
+        pyvista_like(CUBE, *QUADS),
+        counterpart.Mesh.from_polygons(CUBE, np.full(6, 4), QUADS.ravel()),
+    ],
+)
+def test_polygons_are_kept(mesh, tmp_path):
+    whole = counterpart.Mesh.from_polygons(CUBE, [4] * 6, QUADS.ravel())
+    other = counterpart.Mesh.from_polygons(CUBE, [4] * 6, np.roll(QUADS, 1, axis=1).ravel())  # cut crosswise
+    assert (other.triangles != whole.triangles).any()
+    result = counterpart.match(mesh, other)
+    assert result.method == "exact"
+    np.testing.assert_array_equal(result.target_from_source, np.arange(8))
+    sizes, corners = whole.polygons
+    np.testing.assert_array_equal(sizes, 6 * [4])
+    np.testing.assert_array_equal(corners, QUADS.ravel())
+    counterpart.write(whole, tmp_path / "cube.obj")
+    np.testing.assert_array_equal(counterpart.read(tmp_path / "cube.obj").polygons[1], QUADS.ravel())
+
+
+def test_mixed_polygons_and_what_does_not_fit():
+    prism = counterpart.Mesh.from_polygons(CUBE, [3, 3, 4], [0, 1, 2, 1, 3, 2, 4, 5, 7, 6])
+    assert repr(prism) == "Mesh(8 vertices, 4 triangles, 3 polygons)"
+    assert counterpart.Mesh(V, T).polygons is None
+    for sizes, corners in [([2], [0, 1]), ([4], [0, 1, 2]), ([3], [0, 1, 8]), ([3], [0, 1, -1]), ([-1], [])]:
+        with pytest.raises(counterpart.InvalidInput):
+            counterpart.Mesh.from_polygons(CUBE, sizes, corners)
 
 
 def test_trimesh():
@@ -50,11 +94,13 @@ def test_meshio(tmp_path):
     meshio = pytest.importorskip("meshio")
     mesh = meshio.Mesh(V, [("triangle", T)])
     assert counterpart.inspect(mesh)["is_closed"]
+    assert counterpart.inspect(meshio.Mesh(CUBE, [("quad", QUADS)]))["is_closed"]
 
 
 def test_pyvista():
     pyvista = pytest.importorskip("pyvista")
     assert counterpart.inspect(pyvista.Sphere())["n_boundary_edges"] == 0
+    assert counterpart.inspect(pyvista.Plane())["n_boundary_edges"] == 40  # of quads
 
 
 def test_open3d():

@@ -29,10 +29,12 @@ std::vector<LocalSimilarity> local_similarities(const SparseMatrix& stiffness, P
             squares -= it.value() * at_rest.squaredNorm();
         }
         LocalSimilarity& similarity = similarities[i];
-        similarity.rotation =
-            is_first ? numerics::fit_rotation(covariance).rotation
-                     : numerics::follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation))
-                           .toRotationMatrix();
+        if (!is_first)
+            similarity.rotation =
+                numerics::follow_rotation(covariance, Eigen::Quaterniond(similarity.rotation))
+                    .toRotationMatrix();
+        if (is_first || !similarity.rotation.allFinite())
+            similarity.rotation = numerics::fit_rotation(covariance).rotation;
         if (squares > 0)
             similarity.scale = std::clamp(similarity.rotation.cwiseProduct(covariance).sum() / squares,
                                           bounds.least, bounds.largest);

@@ -6,14 +6,14 @@
 #include "numerics/shifted_factor.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
-#include <counterpart/base/errors.hpp>
 #include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace counterpart::numerics {
@@ -166,14 +166,16 @@ class KrylovSpace {
     Eigen::MatrixXd coupling_;    // of the last block with the next
 };
 
-// Factorizes at a shift below which about half of the wanted eigenvalues lie; where no shift has that, as
-// with thousands of components, below all of them. Returns the shift.
-double factorize_in_the_middle(ShiftedFactor& factor, double guess, int count) {
+// Factorizes at a shift below which about half of the wanted eigenvalues lie; where there is no such shift,
+// as with an eigenvalue that is repeated thousands of times, below that. Returns the shift;
+// nothing if all factorizations break down.
+std::optional<double> factorize_in_the_middle(ShiftedFactor& factor, double guess, int count) {
     const double least = std::floor(0.4 * count), most = std::max(1.0, std::ceil(0.55 * count));
     constexpr int max_trials = 20;
     constexpr double max_step = 8;
+    const double least_shift = 1e-6 * guess;  // below, rounding decides how many eigenvalues 0 lie below
     double low = 0, high = std::numeric_limits<double>::infinity(), shift = guess;
-    for (int trial = 0; trial < max_trials; ++trial) {
+    for (int trial = 0; trial < max_trials && shift > least_shift; ++trial) {
         if (!factor.factorize(shift)) {
             shift *= 1.001;  // on an eigenvalue, of a leading block or of the whole
             continue;
@@ -184,9 +186,8 @@ double factorize_in_the_middle(ShiftedFactor& factor, double guess, int count) {
         const double linear = shift * std::clamp(0.5 * count / std::max(n, 1), 1 / max_step, max_step);
         shift = linear > low && linear < high ? linear : (low + high) / 2;
     }
-    shift = low > 0 ? low : -1e-5 * guess;
-    if (!factor.factorize(shift)) throw NumericalError("the shifted Laplacian cannot be factorized");
-    return shift;
+    shift = low > least_shift ? low : -10 * least_shift;
+    return factor.factorize(shift) ? std::optional(shift) : std::nullopt;
 }
 
 struct Found {
@@ -198,7 +199,7 @@ struct Found {
 Found smallest_in(const KrylovSpace& space, double shift, int count, double tolerance) {
     const KrylovSpace::RitzPairs ritz = space.ritz_pairs();
     const Vector values = shift + ritz.values.cwiseInverse().array();
-    const double rounding = 1e-6 * std::abs(shift);
+    const double rounding = std::max(1e-6, tolerance) * std::abs(shift);
     std::vector<Eigen::Index> order;  // values below 0 belong to vectors that have not converged
     for (Eigen::Index i = 0; i < values.size(); ++i)
         if (values[i] > -rounding) order.push_back(i);
@@ -210,11 +211,11 @@ Found smallest_in(const KrylovSpace& space, double shift, int count, double tole
     return {{values(order), space.in_space(ritz.vectors(Eigen::all, order))}, true};
 }
 
-// How many eigenvalues are missing below the last gap between those found.
-int n_missing(const Vector& values, ShiftedFactor& factor) {
-    constexpr double gap = 1e-5;  // relative: what tells two values apart for certain
+// How many eigenvalues are missing below the middle of the last gap between those found.
+int n_missing(const Vector& values, double shift, ShiftedFactor& factor) {
+    const double gap = 1e-5 * std::abs(shift);  // what tells two values apart for certain
     for (Eigen::Index i = values.size(); --i > 0;)
-        if (values[i] - values[i - 1] > gap * values[i] && factor.factorize((values[i] + values[i - 1]) / 2))
+        if (values[i] - values[i - 1] > gap && factor.factorize((values[i] + values[i - 1]) / 2))
             return factor.n_below() - static_cast<int>(i);
     return 0;
 }
@@ -224,7 +225,10 @@ std::optional<Eigenpairs> iterate(const ShiftedFactor& factor, double shift, con
                                   int count, Eigen::Index block, double tolerance, const Progress& progress) {
     Eigen::Index wanted =
         std::max(static_cast<Eigen::Index>(vectors_per_pair * count) + 4 * first_block, 2 * block);
-    const Eigen::Index most = std::min<Eigen::Index>(3 * count + 16 * block, mass.rows() - 2 * block);
+    // Beyond that, repeated eigenvalues are in the way.
+    const Eigen::Index most =
+        std::min<Eigen::Index>(3 * count + 16 * first_block + 4 * block, mass.rows() - 2 * block);
+    if (wanted > most) return std::nullopt;
     KrylovSpace space(factor, mass, block, wanted + 2 * block);
     double done = 0;
     const auto report = [&] {  // the space's final size is unknown: each block is a share of the rest
@@ -254,10 +258,11 @@ std::optional<Eigenpairs> block_lanczos(const SparseMatrix& stiffness, const Spa
     // missing, a wider one goes over it again.
     Eigen::Index block = first_block;
     for (int trial = 0; trial < 2; ++trial) {
-        const double shift = factorize_in_the_middle(factor, guess, count);
-        std::optional<Eigenpairs> found = iterate(factor, shift, mass, count, block, tolerance,
+        const std::optional<double> shift = factorize_in_the_middle(factor, guess, count);
+        if (!shift) return std::nullopt;
+        std::optional<Eigenpairs> found = iterate(factor, *shift, mass, count, block, tolerance,
                                                   part_of(progress, trial * 0.5, trial * 0.5 + 0.5));
-        const int missing = found ? n_missing(found->values, factor) : 0;
+        const int missing = found ? n_missing(found->values, *shift, factor) : 0;
         if (found && missing == 0) return found;
         block = std::max(8 * first_block, static_cast<Eigen::Index>(std::min(missing, count)));
     }

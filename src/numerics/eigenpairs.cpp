@@ -52,7 +52,7 @@ class ShiftInvert {
 Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(stiffness),
                                                                            Eigen::MatrixXd(mass)};
-    if (solver.info() != Eigen::Success)
+    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
         throw NumericalError("the dense eigenvalue problem did not converge");
     return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
@@ -83,6 +83,7 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix
     const auto size = static_cast<int>(stiffness.rows());
     if (count < 1 || count > size)
         throw InvalidInput("the number of eigenpairs must be from 1 to the matrix' size");
+    report_progress(progress, 0);
     constexpr int small = 200;  // unknowns that a dense solver handles in milliseconds
     const bool is_small = size <= 3 * count || size <= small;
     std::optional<Eigenpairs> found;
@@ -91,6 +92,7 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix
                        : is_small
                            ? dense_eigenpairs(stiffness, mass, count)
                            : lanczos_eigenpairs(stiffness, mass, count, tolerance, part_of(progress, 0.8, 1));
+    report_progress(progress, 1);
     for (Eigen::Index j = 0; j < pairs.vectors.cols(); ++j) {
         auto vector = pairs.vectors.col(j);
         Eigen::Index largest = 0;

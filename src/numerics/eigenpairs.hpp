@@ -17,7 +17,7 @@ struct Eigenpairs {
 /// positive semi-definite, mass positive definite. Vectors are mass-orthonormal, each with its entry of
 /// largest modulus positive; the start is fixed, so the result is reproducible. 1 <= count <= size.
 ///
-/// By block_lanczos; where that does not do, by Spectra's restarted Lanczos iteration; dense where `count` is
+/// By block_lanczos; where that fails, by Spectra's restarted Lanczos iteration; dense where `count` is
 /// a third of the size. `tolerance` bounds the residuals, relative to the shifted and inverted values:
 /// eigenvalues are right to about its square. O(size * count^2). Throws NumericalError where it breaks down.
 /// `progress` is called several times for each block.

@@ -4,6 +4,8 @@
 
 #include "base/parallel.hpp"
 
+#include <counterpart/base/random.hpp>
+
 #include <algorithm>
 
 namespace counterpart::numerics {
@@ -36,10 +38,15 @@ ShiftedFactor::ShiftedFactor(const SparseMatrix& stiffness, const SparseMatrix& 
 }
 
 bool ShiftedFactor::factorize(double shift) {
-    factor_.factorize(stiffness_ - shift * mass_);
+    const SparseMatrix shifted = stiffness_ - shift * mass_;
+    factor_.factorize(shifted);
     if (factor_.info() != Eigen::Success || !factor_.vectorD().allFinite()) return false;
     lower_ = factor_.matrixL();
-    return true;
+    Random random(1);
+    Vector right(shifted.rows());
+    for (double& x : right) x = random.uniform(-1, 1);
+    constexpr double accurate = 1e-8;
+    return (shifted * solve(right) - right).norm() <= accurate * right.norm();
 }
 
 int ShiftedFactor::n_below() const { return static_cast<int>((factor_.vectorD().array() < 0).count()); }

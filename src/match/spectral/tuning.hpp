@@ -33,8 +33,9 @@ struct PreparationTuning {
     /// Above this many vertices a mesh is matched by a proxy; where that does not do, eigenfunctions are
     /// sought in a subspace of local functions.
     Index large_mesh = 8000;
-    /// Vertices. With 8000 pairs of 16 000 to 250 000 vertices take 10 % longer and are as right (1.60 and
-    /// 1.64, 1.43 and 1.54, 0.85 and 0.86; at 10 000 vertices 0.76 and 0.66).
+    /// Vertices. With 8000, meshes of 16 000 to 250 000 vertices take 10 % longer and maps are as accurate
+    /// (mean errors with 6000 and 8000: 1.60 and 1.64, 1.43 and 1.54, 0.85 and 0.86; of 10 000 vertices 0.76
+    /// and 0.66).
     Index proxy_size = 6000;
     double min_proxy_area = 0.85;  ///< of a proxy, as a share of the full surface's
     /// Of the eigenfunctions: matching does not ask whether the last five of 200 are mixed with the next.
