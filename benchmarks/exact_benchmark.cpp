@@ -6,7 +6,7 @@
 // their vertices and edges alone, which does not know the faces (neither knows the winding). One JSON line
 // per measurement.
 //
-//   exact [MESH] [--subdivisions N] [--repeats N] [--bliss-up-to V]
+//   exact [MESH] [--subdivisions N] [--repeats N] [--threads N] [--bliss-up-to V]
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/adjacency.hpp>
@@ -98,20 +98,21 @@ void measure_bliss(const std::string& name, const TriangleMesh& mesh, const Tria
         graph_name, name, mesh.n_vertices(), repeats, peer.wall, peer.cpu, peer.cpu / our_cpu);
 }
 
-void measure(const std::string& name, const TriangleMesh& mesh, int repeats, Index bliss_up_to) {
+void measure(const std::string& name, const TriangleMesh& mesh, int repeats, int threads, Index bliss_up_to) {
     const ShuffleResult target = shuffle(mesh, 1);
     const double before = memory("VmRSS:");
     reset_peak();
-    ExactResult result = match_exact(mesh, target.mesh);
+    const ExactOptions options{.n_threads = threads};
+    ExactResult result = match_exact(mesh, target.mesh, options);
     const double peak = memory("VmHWM:") - before;
     const bool right = result.identical && result.target_from_source.image() == target.shuffled_from_original;
-    const Seconds ours = median_seconds(repeats, [&] { result = match_exact(mesh, target.mesh); });
+    const Seconds ours = median_seconds(repeats, [&] { result = match_exact(mesh, target.mesh, options); });
     fmt::print(
-        "{{\"benchmark\": \"exact\", \"mesh\": \"{}\", \"vertices\": {}, \"triangles\": {}, \"threads\": 1, "
+        "{{\"benchmark\": \"exact\", \"mesh\": \"{}\", \"vertices\": {}, \"triangles\": {}, \"threads\": {}, "
         "\"repeats\": {}, \"median_seconds\": {:.6f}, \"median_cpu_seconds\": {:.6f}, "
         "\"nanoseconds_per_triangle\": {:.1f}, "
         "\"mebibytes_beyond_meshes\": {:.1f}, \"all_right\": {}, \"automorphisms\": \"{}\"}}\n",
-        name, mesh.n_vertices(), mesh.n_triangles(), repeats, ours.wall, ours.cpu,
+        name, mesh.n_vertices(), mesh.n_triangles(), threads, repeats, ours.wall, ours.cpu,
         1e9 * ours.cpu / mesh.n_triangles(), peak, right, to_string(result.automorphisms));
     if (mesh.n_vertices() > bliss_up_to) return;
     measure_bliss(name, mesh, target.mesh, repeats, "faces and vertices", faces_and_vertices, ours.cpu);
@@ -124,7 +125,7 @@ void measure(const std::string& name, const TriangleMesh& mesh, int repeats, Ind
 int main(int argc, char** argv) {
     using namespace counterpart;
     std::string file;
-    int subdivisions = 3, repeats = 5;
+    int subdivisions = 3, repeats = 5, threads = 2;
     Index bliss_up_to = 100'000;
     for (int i = 1; i < argc; ++i) {
         const std::string argument = argv[i];
@@ -132,6 +133,8 @@ int main(int argc, char** argv) {
             subdivisions = std::stoi(argv[++i]);
         else if (argument == "--repeats" && i + 1 < argc)
             repeats = std::stoi(argv[++i]);
+        else if (argument == "--threads" && i + 1 < argc)
+            threads = std::stoi(argv[++i]);
         else if (argument == "--bliss-up-to" && i + 1 < argc)
             bliss_up_to = std::stoi(argv[++i]);
         else
@@ -141,6 +144,6 @@ int main(int argc, char** argv) {
     const std::string name = file.empty() ? "icosphere" : file;
     for (int level = 0; level <= subdivisions; ++level) {
         if (level > 0) mesh = subdivide(mesh);
-        measure(name, mesh, repeats, bliss_up_to);
+        measure(name, mesh, repeats, threads, bliss_up_to);
     }
 }

@@ -44,25 +44,19 @@ from ._match_results import (
     SpectralResult,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
-from ._meshes import (
-    Mesh,
-    MeshLike,
+from ._meshes import Mesh, MeshLike, inspect, read, vertex_areas, vertex_normals, write
+from ._pictures import Picture, View, render, view
+from ._shape_matching import SpectralShape, match_partial, match_spectral
+from ._shapes import (
     deform,
-    inspect,
     make_body,
     make_grid,
     make_icosphere,
     make_torus,
     move_at_random,
-    read,
     shuffle,
     subdivide,
-    vertex_areas,
-    vertex_normals,
-    write,
 )
-from ._pictures import Picture, View, render, view
-from ._shape_matching import SpectralShape, match_partial, match_spectral
 from ._spectral import (
     Spectrum,
     ZoomOutResult,

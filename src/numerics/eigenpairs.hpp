@@ -18,9 +18,9 @@ struct Eigenpairs {
 /// largest modulus positive; the start is fixed, so the result is reproducible. 1 <= count <= size.
 ///
 /// By block_lanczos; where that fails, by Spectra's restarted Lanczos iteration; dense where `count` is
-/// a third of the size. `tolerance` bounds the residuals, relative to the shifted and inverted values:
-/// eigenvalues are right to about its square. O(size * count^2). Throws NumericalError where it breaks down.
-/// `progress` is called several times for each block.
+/// at least a third of the size, or that at most 200. `tolerance` bounds the residuals, relative to the
+/// shifted and inverted values: eigenvalues are right to about its square. O(size * count^2). Throws
+/// NumericalError where it breaks down. `progress` is called several times for each block.
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
                                double tolerance, const Progress& progress = {});
 

@@ -15,7 +15,7 @@ EigenBasis spectral::approximate_eigen_basis(const LaplaceBeltrami& laplacian, i
                                              double tolerance, const Progress& progress) {
     if (n_functions < 1) throw InvalidInput("eigen_basis: the number of functions must be at least 1");
     const auto size = static_cast<int>(laplacian.mass.size());
-    // The problem is solved at unit area, so that one shift suits every mesh.
+    // At unit area, so that numbers are of one size for every mesh.
     const double area = laplacian.mass.sum();
     SparseMatrix mass(size, size);
     mass.reserve(Eigen::VectorXi::Constant(size, 1));
