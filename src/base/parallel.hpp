@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // The only code that uses threads. Work items must be independent and write to separate locations, so that
-// the result is the same for any number of threads.
+// the result is the same for any number of threads. So is the error: of the items that throw, the first.
 #pragma once
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <exception>
+#include <limits>
+#include <mutex>
 #include <string>
 
 #ifdef COUNTERPART_PLAIN_THREADS
@@ -35,16 +39,56 @@ auto with_threads(int n_threads, const Work& work) {
     return threads::with_threads(n_threads, work);
 }
 
+/// The exception of the first of the works that throw, in their order. Works run under its guard let no
+/// exception through to the scheduler, which would abandon the loops inside of all others half-way.
+class FirstException {
+  public:
+    /// Runs the work, unless one before it in order has thrown.
+    template <class Work>
+    void guard(std::size_t order, const Work& work) {
+        if (order > order_) return;
+        try {
+            work();
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (order > order_) return;
+            order_ = order;
+            exception_ = std::current_exception();
+        }
+    }
+    /// Once all are done.
+    void rethrow() const {
+        if (exception_) std::rethrow_exception(exception_);
+    }
+
+  private:
+    std::mutex mutex_;
+    std::atomic<std::size_t> order_ = std::numeric_limits<std::size_t>::max();  // of the work that threw
+    std::exception_ptr exception_;
+};
+
 /// Runs two independent works, at the same time if there are threads.
 template <class First, class Second>
 void parallel_invoke(const First& first, const Second& second) {
-    threads::invoke(first, second);
+    FirstException exception;
+    threads::invoke([&] { exception.guard(0, first); }, [&] { exception.guard(1, second); });
+    exception.rethrow();
+}
+
+/// run(begin, end) for pieces of [0, count) of at least `grain` items.
+template <class Run>
+void parallel_for_pieces(std::size_t count, std::size_t grain, const Run& run) {
+    FirstException exception;
+    threads::for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
+        exception.guard(begin, [&] { run(begin, end); });
+    });
+    exception.rethrow();
 }
 
 /// body(i) for i in [0, count), in any order, at least `grain` consecutive ones per task.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
-    threads::for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i) body(i);
     });
 }
@@ -66,7 +110,7 @@ template <class Make, class Body>
 void parallel_for_with(std::size_t count, std::size_t grain, const Make& make, const Body& body) {
     using Scratch = decltype(make());
     threads::PerThread<Scratch> scratch(make);
-    threads::for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
         Scratch& mine = scratch.local();
         for (std::size_t i = begin; i != end; ++i) body(mine, i);
     });

@@ -4,8 +4,8 @@
 // What parallel.hpp needs, by TBB.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -22,9 +22,10 @@ inline int n_allowed() { return tbb::this_task_arena::max_concurrency(); }
 template <class Work>
 auto with_threads(int n_threads, const Work& work) {
     // As many as are asked for, also where the machine has fewer: TBB would leave the rest out, with a
-    // warning.
-    const auto allowed = static_cast<std::size_t>(std::max(n_threads, tbb::info::default_concurrency()));
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, allowed);
+    // warning. Only there, since of all such wishes at one time it takes the smallest.
+    std::optional<tbb::global_control> control;
+    if (n_threads > tbb::info::default_concurrency())
+        control.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(n_threads));
     tbb::task_arena arena(n_threads == 0 ? tbb::task_arena::automatic : n_threads);
     return arena.execute(work);
 }

@@ -5,9 +5,12 @@
 #include <counterpart/base/errors.hpp>
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
+#include <future>
 #include <mutex>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -94,6 +97,43 @@ TEST(Parallel, ExceptionsReachTheCaller) {
                                   });
                               }),
                  InvalidInput);
+}
+
+TEST(Parallel, TheFirstOfSeveralExceptionsForAnyNumberOfThreads) {
+    for (const int n_threads : {1, 2, 8}) {
+        for (int round = 0; round < 20; ++round) {
+            try {
+                with_threads(n_threads, [] {
+                    parallel_for(200, 1, [](std::size_t i) {
+                        if (i % 50 == 49) throw InvalidInput(std::to_string(i));
+                    });
+                });
+                FAIL();
+            } catch (const InvalidInput& error) {
+                EXPECT_STREQ(error.what(), "49");
+            }
+        }
+    }
+}
+
+// What one work throws must not leave the other with half of its results.
+TEST(Parallel, AnExceptionDoesNotAbandonTheLoopsOfOthers) {
+    std::promise<void> thrown;
+    std::atomic<int> n_before = 0, n_after = 0;
+    const auto loop = [](std::atomic<int>& n) { parallel_for(1000, 1, [&](std::size_t) { ++n; }); };
+    const auto fail = [&] {
+        thrown.set_value();
+        throw InvalidInput("the second");
+    };
+    const auto go_on = [&] {
+        loop(n_before);
+        thrown.get_future().wait_for(std::chrono::seconds(20));
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        loop(n_after);
+    };
+    EXPECT_THROW(with_threads(2, [&] { parallel_invoke(go_on, fail); }), InvalidInput);
+    EXPECT_EQ(n_before, 1000);
+    EXPECT_EQ(n_after, 1000);
 }
 
 }  // namespace
