@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "match": ["base", "numerics", "mesh", "map", "geodesic", "spectral", "descriptor", "frontier", "align"],
     "evaluation": ["base", "mesh", "map", "geodesic"],
     "transfer": ["base", "numerics", "mesh", "map", "align"],
-    "io": ["base", "mesh", "map"],
+    "io": ["base", "mesh", "map", "match"],
     "render": ["base", "numerics", "mesh", "map", "geodesic"],
     "viewer": ["base", "numerics", "mesh", "map"],
 }

@@ -14,7 +14,7 @@
 # tests/fuzz/cases.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-readers="off obj ply stl msh medit vtk ele gltf npy map surface_map landmarks"
+readers="off obj ply stl msh medit vtk ele gltf npy map surface_map landmarks shape"
 matchers="exact differences spectral partial"
 
 # program_of PRESET TARGET: its path, built
@@ -28,17 +28,19 @@ program_of() {
 
 # fuzz PRESET SECONDS TARGET...
 fuzz() {
-  local preset=$1 seconds=$2 failed= target program dictionary log
+  local preset=$1 seconds=$2 failed= target program dictionary bytes log
   shift 2
   for target in ${*:-$readers $matchers}; do
     program=$(program_of "$preset" "$target")
     mkdir -p "build/fuzz/corpus/$target" "build/fuzz/found/$target"
     dictionary=tests/fuzz/$target.dict
+    bytes=4096
+    [[ $target == shape ]] && bytes=16384  # the smallest has 6000
     log=build/fuzz/$target.$preset.log
     echo "== $target"
     FUZZ_TARGET=$target nice -n 19 "$program" "build/fuzz/corpus/$target" "tests/fuzz/cases/$target" \
       $([[ -f $dictionary ]] && echo "-dict=$dictionary") -artifact_prefix="build/fuzz/found/$target/" \
-      -max_total_time="$seconds" -timeout=100 -rss_limit_mb=2048 -max_len=4096 -print_final_stats=1 \
+      -max_total_time="$seconds" -timeout=100 -rss_limit_mb=2048 -max_len=$bytes -print_final_stats=1 \
       > "$log" 2>&1 || { tail -40 "$log"; failed=yes; }
     grep -E "^stat::|^#[0-9]+.*(DONE|INITED)" "$log" || true
     awk -v target="$target" -v preset="$preset" '/^stat::/ { value[$1] = $2 }
@@ -59,7 +61,7 @@ coverage() {
   local target program source found
   declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]=vtk [ele]=ele
     [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes [landmarks]=landmark_file
-    [surface_map]=surface_map_file [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
+    [surface_map]=surface_map_file [shape]=../match/spectral/stored_shape [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
   for target in ${*:-$readers gltf_writing}; do
     program=$(program_of fuzz-coverage "${target%_writing}")
     mkdir -p "build/fuzz/corpus/${target%_writing}"

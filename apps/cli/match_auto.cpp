@@ -17,12 +17,10 @@ namespace {
 
 MatchOptions options_of(const MatchInput& input, const ExactArguments& exact,
                         const SpectralArguments& spectral, const PartialArguments& partial) {
-    return {.exact = exact.options,
-            .spectral = spectral.options_for(input),
-            .spectral_shape = spectral.shape,
-            .partial = partial.options_for(input, spectral),
-            .n_threads = input.common.threads,
-            .progress = input.progress};
+    MatchOptions options = spectral.match_options_for(input);
+    options.exact = exact.options;
+    options.partial = partial.options_for(input, spectral);
+    return options;
 }
 
 // Messages and report of the method that answered; writes the files it was asked for.

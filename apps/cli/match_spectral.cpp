@@ -5,6 +5,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/shape_file.hpp>
 
 #include <charconv>
 #include <locale>
@@ -80,6 +81,18 @@ SpectralOptions SpectralArguments::options_for(const MatchInput& input) const {
     return result;
 }
 
+MatchOptions SpectralArguments::match_options_for(const MatchInput& input) const {
+    MatchOptions result{.spectral = options_for(input),
+                        .spectral_shape = shape,
+                        .n_threads = input.common.threads,
+                        .progress = input.progress};
+    if (!cache.empty())
+        result.prepared_shape = [folder = cache](MeshView mesh, const SpectralShapeOptions& prepared) {
+            return cached_spectral_shape(folder, mesh, prepared);
+        };
+    return result;
+}
+
 MatchOutcome spectral_outcome(const SpectralArguments& arguments, const SpectralResult& result) {
     if (!arguments.alternatives.empty()) {
         for (std::size_t i = 0; i < result.alternatives.size(); ++i)
@@ -148,6 +161,12 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
         ->capture_default_str()
         ->group(group);
     match
+        .add_option(
+            "--cache", arguments->cache,
+            "Keep prepared shapes in FOLDER, so that a mesh that is matched again is not prepared again")
+        ->type_name("FOLDER")
+        ->group(group);
+    match
         .add_option("--alternatives", arguments->options.n_alternatives, "Number of runner-up maps to report")
         ->check(CLI::Range(0, 10))
         ->capture_default_str()
@@ -159,9 +178,10 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
         ->group(group);
     return {"spectral", "Laplace eigenfunctions: similar shapes, any triangulation, fully automatic",
             [arguments](const MatchInput& input) {
-                return spectral_outcome(
-                    *arguments, match_spectral(input.source, input.target, arguments->options_for(input),
-                                               arguments->shape));
+                MatchOptions options = arguments->match_options_for(input);
+                options.method = MatchMethod::spectral;
+                return spectral_outcome(*arguments,
+                                        *counterpart::match(input.source, input.target, options).spectral);
             }};
 }
 

@@ -4,7 +4,7 @@
 
 #include "match_methods.hpp"
 
-#include <counterpart/match/spectral.hpp>
+#include <counterpart/match/match.hpp>
 
 #include <filesystem>
 #include <string>
@@ -16,11 +16,14 @@ struct SpectralArguments {
     SpectralOptions options;
     SpectralShapeOptions shape;
     std::filesystem::path landmarks, alternatives;  // files; empty: none
+    std::filesystem::path cache;                    // a folder of prepared shapes; empty: none
     std::vector<std::string> excluded;              // "a:b"
     std::string up, facing;                         // "y", "-z", "0,0.7,0.7"; empty: unknown
 
     /// With the landmarks and the other words read.
     SpectralOptions options_for(const MatchInput& input) const;
+    /// What is said here, for match().
+    MatchOptions match_options_for(const MatchInput& input) const;
 };
 
 /// Messages and report of a result; writes the files that were asked for.

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 from . import _core
@@ -35,6 +36,7 @@ def match(
     basis_size: int = 200,
     n_samples: int = 1000,
     seed: int = 0,
+    cache: str | os.PathLike[str] | None = None,
     n_threads: int = 0,
     progress: ProgressLike = None,
 ) -> MatchResult:
@@ -78,6 +80,8 @@ def match(
         Spectral, partial: runners-up to report, 0 .. 10.
     basis_size, n_samples, seed : int
         Spectral: see `SpectralShape`. The seed is that of partial too.
+    cache : path, optional
+        Spectral: a folder in which prepared shapes are kept: a mesh that is matched again is not prepared again.
     n_threads : int
         0 for all; the result does not depend on it.
     progress : ProgressLike
@@ -130,6 +134,8 @@ def match(
         ),
         n_threads=n_threads,
     )
+    if cache is not None:
+        options.cache = os.fspath(cache)
     with reporting(progress, "matching") as report:
         return MatchResult._of(_core.match(core_mesh(source), core_mesh(target), options, report))
 

@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/io/shape_file.hpp>
 #include <counterpart/match/match.hpp>
 
 namespace counterpart::python {
@@ -44,6 +45,13 @@ void bind_converted(nb::class_<Options>& options, const char* name, Value Option
         [member, convert](Options& self, std::remove_cvref_t<Given> given) {
             self.*member = convert(given);
         });
+}
+
+// Prepared shapes from this folder.
+decltype(MatchOptions::prepared_shape) cached_in(const std::string& folder) {
+    return [folder](MeshView mesh, const SpectralShapeOptions& options) {
+        return cached_spectral_shape(folder, mesh, options);
+    };
 }
 
 Eigen::Vector3d direction_of(const DirectionArray& array) { return {array(0), array(1), array(2)}; }
@@ -109,6 +117,7 @@ void bind_match_options(nb::module_& module) {
         .def_rw("partial", &MatchOptions::partial)
         .def_rw("n_threads", &MatchOptions::n_threads);
     bind_converted(match, "method", &MatchOptions::method, method_from_name);
+    bind_converted(match, "cache", &MatchOptions::prepared_shape, cached_in);
 }
 
 }  // namespace counterpart::python

@@ -5,6 +5,7 @@
 #include "call.hpp"
 #include "dictionary.hpp"
 
+#include <counterpart/io/shape_file.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
@@ -162,7 +163,24 @@ void bind_matching(nb::module_& module) {
                     new (self) SpectralShape(mesh, options);
                 });
             },
-            "mesh"_a, "options"_a, "progress"_a.none());
+            "mesh"_a, "options"_a, "progress"_a.none())
+        .def_static(
+            "cached",
+            [](const std::string& folder, const Mesh& mesh, SpectralShapeOptions options,
+               const nb::object& progress) {
+                return run(progress, [&](Progress report) {
+                    options.progress = std::move(report);
+                    return cached_spectral_shape(folder, mesh, options);
+                });
+            },
+            "folder"_a, "mesh"_a, "options"_a, "progress"_a.none())
+        .def_static(
+            "read", [](const std::string& file) { return read_spectral_shape(file); }, "file"_a)
+        .def(
+            "write",
+            [](const SpectralShape& shape, const std::string& file) { write_spectral_shape(shape, file); },
+            "file"_a)
+        .def_prop_ro("n_vertices", &SpectralShape::n_vertices);
     module.def(
         "match_spectral",
         [](const SpectralShape& source, const SpectralShape& target, SpectralOptions options,

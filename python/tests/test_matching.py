@@ -61,6 +61,29 @@ def test_prepared_shapes(blobs):
     np.testing.assert_array_equal(both.target_from_source, expected)
 
 
+def test_kept_shapes(blobs, tmp_path):
+    source, target = blobs
+    quick = {"basis_size": 30, "n_samples": 200}
+    expected = counterpart.match(source, target, "spectral", **quick).target_from_source
+    cache = tmp_path / "cache"
+    for _ in range(2):
+        found = counterpart.match(source, target, "spectral", cache=cache, **quick).target_from_source
+        np.testing.assert_array_equal(found, expected)
+        assert len(list(cache.iterdir())) == 2
+
+    shape = counterpart.SpectralShape(source, cache=cache, **quick)
+    shape.save(tmp_path / "a.shape")
+    kept = counterpart.SpectralShape.load(tmp_path / "a.shape")
+    assert kept.n_vertices == shape.n_vertices == len(expected)
+    found = counterpart.match_spectral(kept, target, **quick).target_from_source
+    np.testing.assert_array_equal(found, expected)
+
+    (tmp_path / "a.shape").write_bytes(b"something else")
+    for file, words in (("a.shape", "not a prepared shape"), ("none.shape", "none.shape")):
+        with pytest.raises(counterpart.IoError, match=words):
+            counterpart.SpectralShape.load(tmp_path / file)
+
+
 def test_landmarks_hold_exactly(blobs):
     pairs = np.array([(1, 30), (7, 12)])
     result = counterpart.match(*blobs, "spectral", landmarks=pairs)

@@ -170,11 +170,26 @@ class Matching {
         SpectralShapeOptions shape = options_.spectral_shape;
         options.n_threads = shape.n_threads = options_.n_threads;
         options.progress = part_of(progress_, begin, 1);
-        result_.spectral = match_spectral(source_, target_, options, shape);
+        result_.spectral = options_.prepared_shape ? match_prepared(options, shape)
+                                                   : match_spectral(source_, target_, options, shape);
         result_.target_from_source = result_.spectral->target_from_source;
         result_.confidence = result_.spectral->confidence;
         result_.warnings = result_.spectral->warnings;
         watch_.lap("spectral");
+    }
+
+    SpectralResult match_prepared(SpectralOptions options, SpectralShapeOptions shape) {
+        const Progress whole = options.progress;
+        Stopwatch watch;
+        shape.progress = part_of(whole, 0, 0.2);
+        const SpectralShape source = options_.prepared_shape(source_, shape);
+        shape.progress = part_of(whole, 0.2, 0.4);
+        const SpectralShape target = options_.prepared_shape(target_, shape);
+        watch.lap("prepare");
+        options.progress = part_of(whole, 0.4, 1);
+        SpectralResult result = match_spectral(source, target, options);
+        result.stages.insert(result.stages.begin(), watch.stages().front());
+        return result;
     }
 
     // False where a mesh is not one that spectral can work on; the reason then says why.

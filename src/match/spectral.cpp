@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "match/spectral/pipeline.hpp"
+#include "match/spectral/stored_shape.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
@@ -67,6 +68,16 @@ SpectralShape::SpectralShape(MeshView mesh, const SpectralShapeOptions& options)
             return std::make_shared<const PreparedShape>(prepare(mesh, shape, {}, progress));
         });
     });
+}
+
+Index SpectralShape::n_vertices() const {
+    return static_cast<Index>(shape_->origin.matched_of_input.size());
+}
+
+std::string SpectralShape::to_bytes() const { return spectral_match::to_bytes(*shape_); }
+
+SpectralShape SpectralShape::from_bytes(std::string_view bytes) {
+    return SpectralShape(std::make_shared<const PreparedShape>(shape_from_bytes(bytes)));
 }
 
 SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,

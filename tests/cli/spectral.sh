@@ -104,6 +104,19 @@ refuse 2 "kind" descriptors torus.off -o none.npy --kind nonsense
 [ ! -e none.npy ] || fail "a refused command left a file"
 
 # ---- options ----
+# Prepared shapes are kept, and are of use to nothing but the same mesh with the same options.
+run match body.off pose.off $fast -o plain.txt
+for times in 1 2; do
+  run match body.off pose.off $fast -o kept.txt --cache cache
+  cmp plain.txt kept.txt
+  [ "$(ls cache | wc -l)" = 2 ] || fail "the cache has $(ls cache)"
+done
+for file in cache/*; do echo damaged > "$file"; done
+run match body.off pose.off $fast -o kept.txt --cache cache
+cmp plain.txt kept.txt
+refuse 3 "cannot be made a folder for prepared shapes" match body.off pose.off $fast -o none.txt --cache body.off
+refuse 1 "is an option of --method spectral" match body.off pose.off --method exact -o none.txt --cache cache
+
 run match body.off pose.off $fast -o map.txt --inverse inverse.txt --confidence confidence.npy --alternatives 2 \
   --alternatives-output other.txt --report report.json
 says "score"

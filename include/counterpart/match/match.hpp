@@ -8,6 +8,7 @@
 #include <counterpart/match/partial.hpp>
 #include <counterpart/match/spectral.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ struct MatchOptions {
     FrontiersOptions frontiers{};
     SpectralOptions spectral{};
     SpectralShapeOptions spectral_shape{};
+    /// Where spectral takes prepared shapes from, such as a folder (cached_spectral_shape in
+    /// io/shape_file.hpp), in place of preparing both at once. Called from the calling thread, source first.
+    std::function<SpectralShape(MeshView, const SpectralShapeOptions&)> prepared_shape{};
     PartialOptions
         partial{};        ///< if its part is not unknown, automatic takes partial where connectivity fails
     int n_threads = 0;    ///< 0 = all; the result does not depend on it

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -41,7 +42,19 @@ class SpectralShape {
     /// O(V log V).
     explicit SpectralShape(MeshView mesh, const SpectralShapeOptions& options = {});
 
+    Index n_vertices() const;  ///< of the mesh
+
+    /// The shape to be kept: about 2.4 kB for each vertex up to 8000, 15 MB and 60 B for each beyond.
+    /// O(size).
+    std::string to_bytes() const;
+    /// A shape that matches exactly as that which was kept. Throws InvalidInput with a reason for bytes of
+    /// another version, cut short, or that to_bytes cannot have made. O(size).
+    static SpectralShape from_bytes(std::string_view bytes);
+
   private:
+    explicit SpectralShape(std::shared_ptr<const spectral_match::PreparedShape> shape)
+        : shape_(std::move(shape)) {}
+
     friend SpectralResult match_spectral(const SpectralShape& source, const SpectralShape& target,
                                          const SpectralOptions& options);
     std::shared_ptr<const spectral_match::PreparedShape> shape_;

@@ -190,8 +190,7 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     shape.laplacian = laplace_beltrami(shape.mesh);
     shape.basis = basis_of(shape, graph, options.n_functions, tuning, progress.part(0.4, 0.9));
     progress.reach(0.9);
-    shape.all.functions = shape.basis.eigenfunctions.cast<float>();
-    shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
+    derive(shape);
     shape.normals = vertex_normals(shape.mesh);
     shape.flat = is_flat(shape);
     progress.reach(0.93);
@@ -201,11 +200,15 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     progress.reach(0.935);
     shape.relief = ranked(relief(shape, tuning, progress), shape.basis.mass);
     progress.reach(0.95);
-    shape.wave_kernel = wave_kernel_signature(shape.basis);
-    progress.reach(0.97);
     shape.orientation = orientation_tensor(shape.mesh, shape.basis);
     progress.reach(1);
     return shape;
+}
+
+void derive(PreparedShape& shape) {
+    shape.all.functions = shape.basis.eigenfunctions.cast<float>();
+    shape.all.frequencies = shape.basis.eigenvalues.cwiseSqrt().cast<float>();
+    shape.wave_kernel = wave_kernel_signature(shape.basis);
 }
 
 PreparedShape mirrored(PreparedShape shape) {

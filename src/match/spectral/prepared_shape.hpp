@@ -76,6 +76,9 @@ constexpr float unreachable = 10;
 PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning = {},
                       const ProgressRange& progress = {});
 
+/// What follows from the eigenfunctions alone: all, wave_kernel. O(V basis_size), a small part of `prepare`.
+void derive(PreparedShape& shape);
+
 /// The reflected shape, the same vertices.
 PreparedShape mirrored(PreparedShape shape);
 
