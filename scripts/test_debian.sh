@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the project and runs its tests on a bare Debian, in a tree that debootstrap makes: scripts/test_debian.sh RELEASE
-# [FOLDER [wheel|package]]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default:
+# [FOLDER [wheel|sdist|package]]. RELEASE: bookworm (12) or trixie (13). FOLDER holds the tree and is kept (default:
 # build/debian/RELEASE). With `wheel` it builds nothing: it installs the wheel of dist/ that suits the release's Python into
-# a clean environment there and runs the Python tests. With `package` it installs the .deb that cpack left in
-# build/release, with what that depends on and nothing else, and runs the README's commands. Needs root and the package debootstrap; the mirror is that of this
+# a clean environment there and runs the Python tests; with `sdist` it does so with a wheel built there from the source
+# distribution of dist/. With `package` it installs the .deb that cpack left in build/release, with what that depends on
+# and nothing else, and runs the README's commands. Needs root and the package debootstrap; the mirror is that of this
 # machine, or $DEBIAN_MIRROR.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -38,15 +39,21 @@ test_sources() {
     ctest --preset release -j "$(nproc)"'
 }
 
-test_wheel() {
+# test_python WHAT: installs what pip makes of WHAT in a clean environment, and tests that.
+test_python() {
   cp -r dist "$tree/counterpart/"
-  run 'command -v python3 || { apt-get -qq update; apt-get -qq install -y --no-install-recommends python3-venv > /dev/null; }
+  run "command -v python3 || { apt-get -qq update; apt-get -qq install -y --no-install-recommends python3-venv > /dev/null; }
     export PIP_CERT=/etc/ssl/certs/ca-certificates.crt
     rm -rf /venv
     python3 -m venv /venv
-    /venv/bin/pip install --quiet --no-compile --find-links dist numpy tqdm trimesh meshio pytest
-    /venv/bin/pip install --quiet --no-compile --no-index --find-links dist counterpart
-    COUNTERPART=/venv/bin/counterpart /venv/bin/python -m pytest -q python/tests'
+    /venv/bin/pip install --quiet --no-compile numpy tqdm trimesh meshio pytest
+    /venv/bin/pip install --quiet --no-compile $1
+    COUNTERPART=/venv/bin/counterpart /venv/bin/python -m pytest -q python/tests"
+}
+test_wheel() { test_python "--no-index --find-links dist counterpart"; }
+test_sdist() {
+  run "scripts/setup.sh packages-python.txt"
+  test_python "dist/counterpart-*.tar.gz"
 }
 
 test_package() {

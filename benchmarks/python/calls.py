@@ -9,11 +9,13 @@ repetitions; the median is beside it.
 """
 
 import json
+import os
 import pathlib
 import random
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 import timeit
 from collections.abc import Callable
@@ -23,19 +25,24 @@ import counterpart
 import numpy as np
 
 IMPORT = """
-import time{also}
+import time
 start, used = time.perf_counter(), time.process_time()
-import counterpart
+import {module}
 print(time.perf_counter() - start, time.process_time() - used)
 """
 
 
-def import_seconds(also: str, repetitions: int) -> dict[str, float]:
+def import_seconds(module: str, repetitions: int) -> dict[str, float]:
+    """Of packages whose bytecode is there, as pip leaves it: else Python compiles NumPy at every start."""
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    command = [sys.executable, "-c", IMPORT.format(module=module)]
     runs = []
-    for _ in range(repetitions):
-        command = [sys.executable, "-c", IMPORT.format(also=also)]
-        runs.append([float(word) for word in subprocess.check_output(command, text=True).split()])
-    wall, cpu = zip(*runs, strict=True)
+    with tempfile.TemporaryDirectory() as bytecode:
+        environment["PYTHONPYCACHEPREFIX"] = bytecode
+        for _ in range(1 + repetitions):
+            words = subprocess.check_output(command, text=True, env=environment).split()
+            runs.append([float(word) for word in words])
+    wall, cpu = zip(*runs[1:], strict=True)
     return {"seconds": min(wall), "median_seconds": statistics.median(wall), "cpu_seconds": min(cpu)}
 
 
@@ -123,8 +130,8 @@ def cancel_seconds(repetitions: int) -> dict[str, float]:
 
 def main() -> None:
     repetitions = int(sys.argv[1]) if len(sys.argv) > 1 else 7
-    for what, also in (("import", ""), ("import where numpy is loaded", ", numpy")):
-        print(json.dumps({"measurement": what, **import_seconds(also, repetitions)}), flush=True)
+    for module in ("counterpart", "numpy"):
+        print(json.dumps({"measurement": f"import {module}", **import_seconds(module, repetitions)}), flush=True)
     for name, microseconds in call_microseconds(repetitions).items():
         print(json.dumps({"measurement": name, "microseconds": microseconds}), flush=True)
     print(
