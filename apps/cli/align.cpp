@@ -33,6 +33,7 @@ struct Fit {
     Affine transform;
     double rms = 0;  // over the fitted pairs
     Json details = Json::object();
+    Json match = Json::object();  // what is to be said of a map that was found
 };
 
 Fit from_map(const TriangleMesh& source, const TriangleMesh& target, const SurfaceMap& map,
@@ -104,11 +105,12 @@ Fit align_solids(const AlignCommand& command, TetrahedralMesh source, const Tetr
 Fit align_surfaces(const AlignCommand& command) {
     AttributedMesh source = load_attributed_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
-    SurfaceMap map;
+    FoundMap<SurfaceMap> found;
     if (!command.map.empty() || !command.use_icp)
-        map = surface_map_or_match(command.map, {source.mesh, target, command.source, command.target},
-                                   command.common);
-    Fit fit = fitted(command, source.mesh, target, map);
+        found = surface_map_or_match(command.map, {source.mesh, target, command.source, command.target},
+                                     command.common);
+    Fit fit = fitted(command, source.mesh, target, found.map);
+    fit.match = found.report;
     move(source, fit.transform);
     write_attributed_mesh(source, command.output);
     return fit;
@@ -132,12 +134,10 @@ void run(const AlignCommand& command) {
         matrix.push_back({row[0], row[1], row[2], fit.transform.translation[i]});
     }
     matrix.push_back({0, 0, 0, 1});
-    write_report({{"command", "align"},
-                  {"model", command.model},
-                  {"matrix", matrix},
-                  {"rms_distance", fit.rms},
-                  {"details", fit.details}},
-                 command.common);
+    Json report = {{"command", "align"}, {"model", command.model}};
+    report.update(fit.match);
+    report.update({{"matrix", matrix}, {"rms_distance", fit.rms}, {"details", fit.details}});
+    write_report(report, command.common);
 }
 
 }  // namespace

@@ -31,6 +31,19 @@ std::string unused_name(const std::string& wanted, const std::vector<MorphTarget
     return name;
 }
 
+// A shape is to differ in its form only: scale and place would become part of the blend shape.
+void warn_of_another_place(const BlendshapesCommand& command, const TriangleMesh& base, const Points& moved,
+                           const std::filesystem::path& file) {
+    constexpr double noticeable = 0.05;  // share of the base's size, as in transfer
+    const double size = (base.vertices.colwise().maxCoeff() - base.vertices.colwise().minCoeff()).norm();
+    const double mean = moved.rowwise().norm().mean();
+    if (mean > noticeable * size)
+        warn(fmt::format(
+            "{}: its vertices are {:.0f} % of the base's size away on average, in another place or "
+            "scale: first lay it on the base with 'counterpart align {} {} --model similarity'",
+            file.string(), 100 * mean / size, file.string(), command.base.string()));
+}
+
 void run(const BlendshapesCommand& command) {
     if (!is_gltf(command.output))
         throw InvalidInput(
@@ -41,9 +54,9 @@ void run(const BlendshapesCommand& command) {
     Json shapes = Json::array();
     for (const std::filesystem::path& file : command.shapes) {
         const TriangleMesh shape = load_mesh(file, command.common);
-        const SurfaceMap map =
+        const FoundMap<SurfaceMap> found =
             surface_map_or_match({}, {base.mesh, shape, command.base, file}, command.common);
-        const LastPose pose = last_pose(base.mesh, shape, map);
+        const LastPose pose = last_pose(base.mesh, shape, found.map);
         const Points moved = pose.vertices - base.mesh.vertices;
         const std::string name = unused_name(file.stem().string(), base.morphs);
         base.morphs.push_back({name, moved});
@@ -53,16 +66,20 @@ void run(const BlendshapesCommand& command) {
                         pose.n_followers > 0
                             ? fmt::format("; {} unmatched vertices follow their neighbors", pose.n_followers)
                             : ""));
-        shapes.push_back({{"name", name},
-                          {"file", file.string()},
-                          {"largest_displacement", largest},
-                          {"following_vertices", pose.n_followers}});
+        Json entry = {{"name", name},
+                      {"file", file.string()},
+                      {"largest_displacement", largest},
+                      {"following_vertices", pose.n_followers}};
+        entry.update(found.report);
+        shapes.push_back(entry);
+        warn_of_another_place(command, base.mesh, moved, file);
     }
     watch.lap("shapes");
     write_attributed_mesh(base, command.output);
     watch.lap("write");
-    say(command.common, fmt::format("{} vertices, {} blend shapes -> {}", base.mesh.n_vertices(),
-                                    base.morphs.size(), command.output.string()));
+    say(command.common,
+        fmt::format("{} vertices, {} -> {}", base.mesh.n_vertices(),
+                    counted(static_cast<Index>(base.morphs.size()), "blend shape"), command.output.string()));
     write_report({{"command", "blendshapes"},
                   {"base", command.base.string()},
                   {"shapes", shapes},

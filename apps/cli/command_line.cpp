@@ -123,9 +123,11 @@ std::string sentence_of(const CLI::App& program, const CLI::ParseError& error,
     if (!command->get_subcommands({}).empty()) {
         const CLI::App* operation = rest < words.size() ? command_of(*command, words[rest]) : nullptr;
         if (operation == nullptr)
-            return told(fmt::format("'{}' needs one of {}", command->get_name(),
-                                    fmt::join(command_names(*command), ", ")),
-                        help);
+            return told(
+                fmt::format("'{}' needs one of {}{}", command->get_name(),
+                            fmt::join(command_names(*command), ", "),
+                            rest < words.size() ? suggestion(words[rest], command_names(*command)) : ""),
+                help);
         command = operation;
         help += " " + words[rest++];
     }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "compare_meshes.hpp"
 
+#include "console.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
 #include <array>
@@ -82,15 +85,18 @@ using Names = std::array<std::string, 2>;
 void compare_parts(const MeshReport& first, const MeshReport& second, double ratio, const Names& names,
                    MeshComparison& result) {
     if (first.components.size() != second.components.size())
-        result.sentences.push_back(fmt::format("{} components against {}: parts may be missing or separate",
-                                               first.components.size(), second.components.size()));
+        result.sentences.push_back(fmt::format(
+            "{} against {}: parts may be missing or separate",
+            counted(static_cast<Index>(first.components.size()), "component"), second.components.size()));
     if (first.is_closed() == second.is_closed()) return;
     const bool second_is_open = first.is_closed();
     const double area = second.area / first.area / (ratio * ratio);
     const double share = second_is_open ? 1 - area : 1 - 1 / area;
     result.sentences.push_back(fmt::format(
-        "{} is open ({} boundary loops) and the other closed{}: holes or missing parts",
-        names[second_is_open ? 1 : 0], second_is_open ? second.n_boundary_loops : first.n_boundary_loops,
+        "{} is open ({}) and the other closed{}: holes or missing parts, which 'match --method partial' is "
+        "for",
+        names[second_is_open ? 1 : 0],
+        counted(second_is_open ? second.n_boundary_loops : first.n_boundary_loops, "boundary loop"),
         share > 0.03 ? fmt::format(", with about {:.0f} % less area for its size", 100 * share) : ""));
 }
 
@@ -104,8 +110,8 @@ void compare_orientation(const TriangleMesh& mesh, const MeshReport& report, con
 void compare_scale(double ratio, const Names& names, MeshComparison& result) {
     result.details["scale"] = ratio;
     if (std::abs(std::log(ratio)) > unit_tolerance)
-        result.sentences.push_back(
-            fmt::format("{} is {:.4g} times as large as {}{}", names[1], ratio, names[0], units_of(ratio)));
+        result.sentences.push_back(fmt::format("{} is {} times as large as {}{}", names[1], readable(ratio),
+                                               names[0], units_of(ratio)));
 }
 
 void compare_axes(const Eigen::RowVector3d& first_box, const Eigen::RowVector3d& second_box,
@@ -121,6 +127,8 @@ void compare_axes(const Eigen::RowVector3d& first_box, const Eigen::RowVector3d&
                                                names[1]));
 }
 
+std::string counted_vertices(Index n) { return n == 1 ? "1 vertex" : fmt::format("{} vertices", n); }
+
 // All but the connectivity, in the order in which these spoil maps.
 void compare_geometry(const TriangleMesh& first, const MeshReport& first_report, const TriangleMesh& second,
                       const MeshReport& second_report, const Names& names, MeshComparison& result) {
@@ -132,10 +140,9 @@ void compare_geometry(const TriangleMesh& first, const MeshReport& first_report,
     compare_orientation(second, second_report, "second_inside_out", names[1], result);
     for (const auto& [report, name] : {std::pair{&first_report, names[0]}, {&second_report, names[1]}})
         if (report->n_duplicate_vertices > 0)
-            result.sentences.push_back(
-                fmt::format("{} has {} vertices at the place of another: '--weld' of 'match' and 'convert' "
-                            "merges them",
-                            name, report->n_duplicate_vertices));
+            result.sentences.push_back(fmt::format(
+                "{} has {} at the place of another: '--weld' of 'match' and 'convert' merges them", name,
+                counted_vertices(report->n_duplicate_vertices)));
     compare_scale(ratio, names, result);
     compare_axes(first_box, second_box, names, result);
 }
@@ -148,6 +155,17 @@ MeshComparison compare_meshes(const TriangleMesh& first, const MeshReport& first
     compare_connectivity(first, second, result);
     compare_geometry(first, first_report, second, second_report, {"the first", "the second"}, result);
     return result;
+}
+
+std::string welding_advice(const TriangleMesh& source, const TriangleMesh& target,
+                           const std::string& source_name, const std::string& target_name) {
+    for (const auto& [mesh, name] : {std::pair{&source, source_name}, {&target, target_name}}) {
+        const Index n_doubled = mesh->n_vertices() - weld(*mesh).mesh.n_vertices();
+        if (n_doubled > 0)
+            return fmt::format("{} has {} at the place of another, which may be why: try --weld", name,
+                               counted_vertices(n_doubled));
+    }
+    return "";
 }
 
 std::vector<std::string> probable_causes(const TriangleMesh& source, const TriangleMesh& target,

@@ -26,4 +26,8 @@ MeshComparison compare_meshes(const TriangleMesh& first, const MeshReport& first
 std::vector<std::string> probable_causes(const TriangleMesh& source, const TriangleMesh& target,
                                          const std::string& source_name, const std::string& target_name);
 
+/// Where the connectivity differs and a mesh has vertices at the place of another: that, and the cure.
+std::string welding_advice(const TriangleMesh& source, const TriangleMesh& target,
+                           const std::string& source_name, const std::string& target_name);
+
 }  // namespace counterpart::cli

@@ -7,6 +7,7 @@
 #include <counterpart/io/file.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <utility>
@@ -22,8 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 // ", about 40 s left", once there is something to tell it by.
 std::string time_left(double fraction, double elapsed) {
-    constexpr double least_fraction = 0.02;
-    if (fraction < least_fraction) return "";
+    constexpr double least_fraction = 0.05, least_seconds = 3;
+    if (fraction < least_fraction || elapsed < least_seconds || fraction >= 1) return "";
     const double seconds = elapsed * (1 - fraction) / fraction;
     if (seconds < 90) return fmt::format(", about {:.0f} s left", seconds);
     return fmt::format(", about {:.0f} min left", seconds / 60);
@@ -79,6 +80,15 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
     command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
     add_output(command, options.files, "--report", options.report, Content::report,
                "Write results and timings to this JSON file");
+}
+
+std::string counted(Index count, const std::string& noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string readable(double number) {
+    const bool is_plain = std::abs(number) >= 100 && std::abs(number) < 1e6;
+    return is_plain ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
 }
 
 void say(const CommonOptions& options, const std::string& message) {

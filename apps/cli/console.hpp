@@ -42,6 +42,11 @@ void on_run(CLI::App& command, CommonOptions& options, Run run) {
     });
 }
 
+/// "1 component", "2 components".
+std::string counted(Index count, const std::string& noun);
+/// A number that people read: three digits, never an exponent for what is not tiny or huge.
+std::string readable(double number);
+
 /// One line on stderr, unless --quiet.
 void say(const CommonOptions& options, const std::string& message);
 /// On standard output, unless --quiet: what a command is asked for that writes no file.

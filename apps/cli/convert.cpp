@@ -70,9 +70,7 @@ void add_convert(CLI::App& program) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App* convert =
         program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
-    add_input(*convert, command->common.files, "IN", command->input,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele, .poly)")
-        ->required();
+    add_input(*convert, command->common.files, "IN", command->input, "Mesh file")->required();
     add_output(*convert, command->common.files, "OUT", command->output, Content::mesh,
                "Mesh file; format from the file extension")
         ->required();

@@ -68,8 +68,7 @@ void add_deform(CLI::App& program) {
     add_input(*deform, command->common.files, "IN", command->input,
               "Mesh file, or the word 'body' for a built-in figure")
         ->required();
-    add_output(*deform, command->common.files, "OUT", command->output, Content::mesh,
-               "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
+    add_output(*deform, command->common.files, "OUT", command->output, Content::mesh, "Mesh file")
         ->required();
     deform
         ->add_option("--bend", command->bend_degrees,

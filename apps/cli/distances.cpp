@@ -81,9 +81,7 @@ void add_distances(CLI::App& program) {
     auto command = std::make_shared<DistancesCommand>();
     CLI::App* distances =
         program.add_subcommand("distances", "Write geodesic distances between vertices of MESH");
-    add_input(*distances, command->common.files, "MESH", command->mesh,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
-        ->required();
+    add_input(*distances, command->common.files, "MESH", command->mesh, "Mesh file")->required();
     add_output(*distances, command->common.files, "-o,--output", command->output, Content::matrix,
                "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")
         ->required();

@@ -58,12 +58,12 @@ void run(const FitCommand& command) {
     FitOptions options = command.options;
     if (!command.landmarks.empty()) options.landmarks = read_landmarks(command.landmarks, model.mesh, scan);
     watch.lap("read");
-    const SurfaceMap map = surface_map_or_match(command.map, {model.mesh, scan, command.model, command.scan},
-                                                command.common, options.landmarks);
+    const FoundMap<SurfaceMap> found = surface_map_or_match(
+        command.map, {model.mesh, scan, command.model, command.scan}, command.common, options.landmarks);
     watch.lap("match");
     options.n_threads = command.common.threads;
     options.progress = progress_bar("fitting", command.common);
-    const FitResult fit = fit_surface(model.mesh, scan, map, options);
+    const FitResult fit = fit_surface(model.mesh, scan, found.map, options);
     options.progress = {};
     watch.lap("fit");
 
@@ -93,6 +93,7 @@ void run(const FitCommand& command) {
                    {"template", command.model.string()},
                    {"scan", command.scan.string()},
                    {"vertices", model.mesh.n_vertices()}};
+    report.update(found.report);
     report.update(report_of(fit, diagonal));
     report["seconds"] = to_json(watch.stages());
     write_report(report, command.common);

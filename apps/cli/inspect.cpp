@@ -6,11 +6,13 @@
 
 #include <counterpart/base/progress.hpp>
 #include <counterpart/mesh/analyze.hpp>
+#include <counterpart/transfer/transfer.hpp>
 
 #include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace counterpart::cli {
 namespace {
@@ -70,6 +72,44 @@ std::string describe(const MeshReport& report, std::size_t n_components) {
     return text;
 }
 
+// What the file holds besides the mesh, one line for each kind that it has.
+std::string describe(const AttributedMesh& content) {
+    std::string text;
+    const auto line = [&](const char* what, const std::string& value) {
+        if (!value.empty()) text += fmt::format("{:<11} {}\n", what, value);
+    };
+    const auto several = [](std::size_t count, const char* noun) {
+        return count == 0 ? "" : counted(static_cast<Index>(count), noun);
+    };
+    std::vector<std::string> shapes;
+    for (const MorphTarget& shape : content.morphs) shapes.push_back(shape.name);
+    line("uv", several(content.texture_coordinates.size(), "set"));
+    line("colors", several(content.colors.size(), "set"));
+    line("normals", content.normals.values.rows() > 0 ? "yes" : "");
+    if (content.skin.weights.size() > 0)
+        line("skin",
+             fmt::format("{}, up to {} at a vertex", counted(content.skin.joints.maxCoeff() + 1, "joint"),
+                         content.skin.weights.cols()));
+    line("shapes", shapes.empty() ? "" : fmt::format("{}: {}", shapes.size(), fmt::join(shapes, ", ")));
+    line("parts", content.part_names.empty() ? ""
+                                             : fmt::format("{}: {}", content.part_names.size(),
+                                                           fmt::join(content.part_names, ", ")));
+    line("materials", has_materials(content) ? "yes" : "");
+    return text;
+}
+
+Json attributes_json(const AttributedMesh& content) {
+    Json shapes = Json::array();
+    for (const MorphTarget& shape : content.morphs) shapes.push_back(shape.name);
+    return {{"uv_sets", content.texture_coordinates.size()},
+            {"color_sets", content.colors.size()},
+            {"normals", content.normals.values.rows() > 0},
+            {"joints", content.skin.weights.size() > 0 ? content.skin.joints.maxCoeff() + 1 : 0},
+            {"shapes", shapes},
+            {"parts", content.part_names},
+            {"materials", has_materials(content)}};
+}
+
 Json mesh_json(const MeshReport& report) {
     Json components = Json::array();
     for (const ComponentReport& component : report.components) {
@@ -108,20 +148,25 @@ Json mesh_json(const MeshReport& report) {
 
 void run(const InspectCommand& command) {
     Stopwatch watch;
-    const TriangleMesh mesh = load_mesh(command.mesh, command.common);
+    const AttributedMesh content = load_attributed_mesh(command.mesh, command.common);
+    const TriangleMesh& mesh = content.mesh;
     watch.lap("read");
     const MeshReport report = analyze(mesh);
-    std::string text = describe(report, command.n_components);
+    std::string text = describe(report, command.n_components) + describe(content);
     Json json = {{"command", "inspect"}, {"mesh", command.mesh.string()}};
     json.update(mesh_json(report));
+    json["attributes"] = attributes_json(content);
     if (!command.other.empty()) {
-        const TriangleMesh other = load_mesh(command.other, command.common);
+        const AttributedMesh other_content = load_attributed_mesh(command.other, command.common);
+        const TriangleMesh& other = other_content.mesh;
         const MeshReport other_report = analyze(other);
         const MeshComparison comparison = compare_meshes(mesh, report, other, other_report);
         text = fmt::format("first: {}\n{}\nsecond: {}\n{}\nfirst and second\n", command.mesh.string(), text,
-                           command.other.string(), describe(other_report, command.n_components));
+                           command.other.string(),
+                           describe(other_report, command.n_components) + describe(other_content));
         for (const std::string& sentence : comparison.sentences) text += "  " + sentence + "\n";
         json["other"] = mesh_json(other_report);
+        json["other"]["attributes"] = attributes_json(other_content);
         json["comparison"] = comparison.details;
         json["comparison"]["sentences"] = comparison.sentences;
     }
@@ -137,9 +182,7 @@ void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
     CLI::App* inspect =
         program.add_subcommand("inspect", "Print mesh statistics and defects, or compare two meshes");
-    add_input(*inspect, command->common.files, "MESH", command->mesh,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
-        ->required();
+    add_input(*inspect, command->common.files, "MESH", command->mesh, "Mesh file")->required();
     add_input(*inspect, command->common.files, "OTHER", command->other,
               "Another mesh file to compare with: connectivity, scale, up axis, mirrored, parts missing");
     inspect->add_option("--components", command->n_components, "Number of components to list")

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "load_map.hpp"
 
+#include "verdict.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/map/project.hpp>
@@ -54,11 +56,11 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& p
     return map.points ? std::move(*map.points) : between_vertices(map.vertices, pair, options, extend);
 }
 
-VertexMap matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
+FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
     if (landmarks.size() < 3 && pair.source.n_vertices() == pair.target.n_vertices() &&
         pair.source.triangles == pair.target.triangles) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
-        return identity_map(pair.source.n_vertices());
+        return {identity_map(pair.source.n_vertices())};
     }
     MatchOptions how{.n_threads = options.threads, .progress = progress_bar("matching", options)};
     if (landmarks.size() >= 3) how.spectral.landmarks = landmarks;
@@ -66,14 +68,24 @@ VertexMap matched(const MeshPair& pair, const CommonOptions& options, const Land
     how.progress = {};
     say(options,
         fmt::format("no map is given: matched by '{}', because {}", to_string(result.method), result.reason));
+    MatchOutcome outcome;
+    outcome.target_from_source = result.target_from_source;
+    outcome.confidence = result.confidence;
+    outcome.warnings = result.warnings;
+    const Judgment judgment = judge(outcome, pair);
+    say(options, judgment);
     for (const std::string& sentence : result.warnings) warn(sentence, pair.source_file, pair.target_file);
-    return result.target_from_source;
+    Json report = judgment.report();
+    report["matched_by"] = to_string(result.method);
+    report["match_warnings"] = result.warnings;
+    return {result.target_from_source, report};
 }
 
-SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
-                                const CommonOptions& options, const Landmarks& landmarks) {
-    if (!file.empty()) return load_surface_map(file, pair, options);
-    return between_vertices(matched(pair, options, landmarks), pair, options, 0);
+FoundMap<SurfaceMap> surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
+                                          const CommonOptions& options, const Landmarks& landmarks) {
+    if (!file.empty()) return {load_surface_map(file, pair, options)};
+    const FoundMap<VertexMap> found = matched(pair, options, landmarks);
+    return {between_vertices(found.map, pair, options, 0), found.report};
 }
 
 }  // namespace counterpart::cli

@@ -44,12 +44,20 @@ SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const Co
 
 using Landmarks = std::vector<std::pair<Index, Index>>;
 
+/// A map and what a report says of how it was found; nothing of one that was given.
+template <class Map>
+struct FoundMap {
+    Map map;
+    Json report = Json::object();
+};
+
 /// Where no map is given: vertex i to vertex i if the meshes have the same triangles, else match(). Says
-/// which, and what is doubtful.
-VertexMap matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks = {});
+/// which, the verdict, and what is doubtful.
+FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options,
+                            const Landmarks& landmarks = {});
 
 /// load_surface_map, or matched() without a file.
-SurfaceMap surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
-                                const CommonOptions& options, const Landmarks& landmarks = {});
+FoundMap<SurfaceMap> surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,
+                                          const CommonOptions& options, const Landmarks& landmarks = {});
 
 }  // namespace counterpart::cli

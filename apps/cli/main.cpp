@@ -20,6 +20,10 @@ int main(int argc, char** argv) {
     CLI::App program{"Which point of mesh B is this point of mesh A?", "counterpart"};
     program.set_version_flag("--version", COUNTERPART_VERSION);
     program.require_subcommand(1);
+    program.footer(  // which every command inherits
+        "Mesh files are read from .off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele and .poly, "
+        "and "
+        "written to .off, .obj, .ply, .stl, .glb and .gltf; solids to .msh, .mesh and .vtk.");
     counterpart::cli::add_convert(program);
     counterpart::cli::add_deform(program);
     counterpart::cli::add_inspect(program);

@@ -21,6 +21,8 @@
 namespace counterpart::cli {
 namespace {
 
+constexpr int max_functions = 1000;  // of a functional map: more take minutes
+
 struct MapCommand {
     CommonOptions common;
     std::filesystem::path source, target, map, output, middle;
@@ -124,7 +126,19 @@ VertexMap from_functional(const MapCommand& command, const EigenBasis& source, c
     return vertex_map(c, source, target);
 }
 
+// A vertex map and a surface map are told apart by their files.
+void require_kind(const MapCommand& command, const LoadedMap& map) {
+    const std::string kind = map.points ? "surface" : "vertex";
+    if (command.from != "map" && command.from != kind)
+        throw InvalidInput(fmt::format("{}: is a {} map: give --from {}, or leave --from out",
+                                       command.map.string(), kind, kind));
+}
+
 void convert_map(const MapCommand& command) {
+    if (command.to == "functional") {
+        std::filesystem::path output = command.output;
+        check_files({{"--output", &output, nullptr, Content::matrix}});
+    }
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     const MeshPair pair = pair_of(command, source, target);
@@ -133,7 +147,13 @@ void convert_map(const MapCommand& command) {
         int size = command.size;
         if (command.from == "functional") {
             const Matrix c = read_npy(command.map);
-            size = static_cast<int>(std::max(c.rows(), c.cols()));
+            const Eigen::Index most = std::max(c.rows(), c.cols());
+            if (most > max_functions || c.size() == 0)
+                throw InvalidInput(
+                    fmt::format("{}: a matrix of {} x {} is no functional map: that has 1 to {} "
+                                "functions on each mesh",
+                                command.map.string(), c.rows(), c.cols(), max_functions));
+            size = static_cast<int>(most);
         }
         source_basis = eigen_basis(source, size, progress_bar("eigenfunctions", command.common));
         target_basis = eigen_basis(target, size, progress_bar("eigenfunctions", command.common));
@@ -142,7 +162,7 @@ void convert_map(const MapCommand& command) {
     if (command.from == "functional")
         map.vertices = from_functional(command, source_basis, target_basis);
     else
-        map = load_map(command.map, pair);
+        require_kind(command, map = load_map(command.map, pair));
     if (command.to == "functional") {
         const FunctionalMap c = functional_map(map.vertices, source_basis, target_basis,
                                                std::min(source_basis.size(), target_basis.size()));
@@ -210,11 +230,13 @@ void add_map(CLI::App& program) {
     converted.app->add_option("--to", command.to, "vertex, surface, or functional (a matrix C, .npy)")
         ->check(one_of({"vertex", "surface", "functional"}))
         ->capture_default_str();
-    converted.app->add_option("--from", command.from, "map (vertex or surface, as the file is) or functional")
-        ->check(one_of({"map", "functional"}))
+    converted.app
+        ->add_option("--from", command.from,
+                     "vertex, surface, functional, or map: vertex or surface, as the file is")
+        ->check(one_of({"map", "vertex", "surface", "functional"}))
         ->capture_default_str();
     converted.app->add_option("--size", command.size, "Number of eigenfunctions of a functional map")
-        ->check(whole_number(1, 1000))
+        ->check(whole_number(1, max_functions))
         ->capture_default_str();
 }
 

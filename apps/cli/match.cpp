@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "compare_meshes.hpp"
+#include "estimate.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
 #include "match_partial.hpp"
@@ -22,7 +22,6 @@
 #include <memory>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace counterpart::cli {
 namespace {
@@ -144,6 +143,9 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
     MatchOutcome outcome;
     outcome.target_from_source = result.target_from_source;
     outcome.confidence = result.confidence;
+    outcome.warnings = result.warnings;
+    const Verdict verdict = verdict_on(outcome, all_faces(source));
+    say(command.common, verdict.sentence());
     write_outputs(command, outcome);
     watch.lap("write");
     for (const std::string& sentence : result.warnings) warn(sentence, command.source, command.target);
@@ -155,6 +157,8 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
     write_report({{"command", "match"},
                   {"source", command.source.string()},
                   {"target", command.target.string()},
+                  {"verdict", verdict.word},
+                  {"verdict_reason", verdict.reason},
                   {"method", to_string(result.method)},
                   {"source_vertices", source.n_vertices()},
                   {"target_vertices", target.n_vertices()},
@@ -181,23 +185,16 @@ void run(const MatchCommand& command) {
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
     watch.lap("read");
+    const MeshPair pair{source, target, command.source, command.target};
     const MatchInput input{source, target, command.common, progress_bar("matching", command.common)};
-    const MatchOutcome outcome =
-        command.initial.empty()
-            ? command.chosen().run(input)
-            : refine_map(input, load_map(command.initial, {source, target, command.source, command.target}));
+    if (command.initial.empty()) say_expected_cost(input, command.method);
+    const MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
+                                                         : refine_map(input, load_map(command.initial, pair));
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
-    const Verdict verdict = verdict_on(outcome, source);
-    const std::vector<std::string> causes =
-        verdict.word == "use"
-            ? std::vector<std::string>()
-            : probable_causes(source, target, command.source.string(), command.target.string());
+    const Judgment judgment = judge(outcome, pair);
     if (outcome.failure.empty()) {
-        say(command.common, verdict.sentence());
-        if (!causes.empty())
-            say(command.common,
-                fmt::format("probable causes, the likeliest first: {}", fmt::join(causes, "; ")));
+        say(command.common, judgment);
         write_outputs(command, outcome);
         write_functional_map(command, outcome, source, target);
     }
@@ -211,22 +208,19 @@ void run(const MatchCommand& command) {
             fmt::format("matched {} of {} vertices by '{}' in {:.2f} s -> {}", matched, source.n_vertices(),
                         outcome.method.empty() ? command.method : outcome.method, watch.stages()[1].seconds,
                         command.output.string()));
-    write_report({{"command", "match"},
-                  {"source", command.source.string()},
-                  {"target", command.target.string()},
-                  {"verdict", verdict.word},
-                  {"verdict_reason", verdict.reason},
-                  {"probable_causes", causes},
-                  {"method", command.method},
-                  {"source_vertices", source.n_vertices()},
-                  {"target_vertices", target.n_vertices()},
-                  {"matched_vertices", matched},
-                  {"messages", outcome.messages},
-                  {"warnings", outcome.warnings},
-                  {"details", outcome.details},
-                  {"seconds", to_json(watch.stages())},
-                  {"stage_seconds", to_json(outcome.stages)}},
-                 command.common);
+    Json report = {
+        {"command", "match"}, {"source", command.source.string()}, {"target", command.target.string()}};
+    report.update(judgment.report());
+    report.update({{"method", command.method},
+                   {"source_vertices", source.n_vertices()},
+                   {"target_vertices", target.n_vertices()},
+                   {"matched_vertices", matched},
+                   {"messages", outcome.messages},
+                   {"warnings", outcome.warnings},
+                   {"details", outcome.details},
+                   {"seconds", to_json(watch.stages())},
+                   {"stage_seconds", to_json(outcome.stages)}});
+    write_report(report, command.common);
     if (!outcome.failure.empty()) throw InvalidInput(outcome.failure);
 }
 
@@ -237,8 +231,7 @@ void add_match(CLI::App& program) {
     CLI::App* match = program.add_subcommand(
         "match", "Find the vertex of TARGET that corresponds to each vertex of SOURCE");
     add_input(*match, command->common.files, "SOURCE", command->source,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele); solids of "
-              "tetrahedra are matched inside too")
+              "Mesh file; solids of tetrahedra are matched inside too")
         ->required();
     add_input(*match, command->common.files, "TARGET", command->target, "Mesh file")->required();
     add_output(*match, command->common.files, "-o,--output", command->output, Content::map,

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "estimate.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
 #include "match_partial.hpp"
@@ -53,6 +54,19 @@ void require_same_connectivity(const MatchInput& input, const ExactArguments& ex
                            result.difference);
 }
 
+// The other methods merge what coincides, and nothing else.
+void require_useful_welding(const MatchInput& input, const ExactArguments& exact) {
+    if (exact.options.weld_distance <= 0) return;
+    const ExactResult result = match_exact(input.source, input.target, exact.options);
+    if (!result.identical)
+        throw InvalidInput(fmt::format(
+            "--weld {}: the connectivity differs also after that ({}), and the methods for different "
+            "connectivity merge only vertices that coincide: weld the files first with 'convert --weld {}', "
+            "or "
+            "leave --weld out",
+            exact.options.weld_distance, result.difference, exact.options.weld_distance));
+}
+
 }  // namespace
 
 MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
@@ -68,6 +82,10 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                     return outcome;
                 }
                 require_same_connectivity(input, *exact);
+                require_useful_welding(input, *exact);
+                if (input.source.n_triangles() != input.target.n_triangles())
+                    say_expected_cost(input, "spectral",
+                                      "unless a part is matched or the connectivity is alike, ");
                 const MatchResult result =
                     match(input.source, input.target, options_of(input, *exact, *spectral, *partial));
                 MatchOutcome outcome = outcome_of(input, *exact, *spectral, *partial, result);

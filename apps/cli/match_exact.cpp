@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match_exact.hpp"
 
+#include "compare_meshes.hpp"
 #include "match_methods.hpp"
 
 #include <counterpart/io/map_file.hpp>
@@ -87,9 +88,13 @@ MatchOutcome shared_outcome(const MatchInput& input, const ExactArguments& argum
     outcome.messages.insert(outcome.messages.begin(), "the connectivity differs: " + first);
     outcome.details["identical"] = false;
     outcome.details["first_difference"] = first;
-    if (!arguments.allow_differences)
-        outcome.failure =
-            "the meshes have different connectivity; --allow-differences writes a map of the part they share";
+    if (arguments.allow_differences) return outcome;
+    const std::string advice = arguments.options.weld_distance < 0
+                                   ? welding_advice(input.source, input.target, "the source", "the target")
+                                   : std::string();
+    outcome.failure = fmt::format(
+        "the meshes have different connectivity; {}{}--allow-differences writes a map of the part they share",
+        advice, advice.empty() ? "" : "; ");
     return outcome;
 }
 
@@ -152,7 +157,8 @@ MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgum
                    "exact: also consider orientation-reversing matches");
     match
         .add_option("--weld", arguments->options.weld_distance,
-                    "exact: first merge vertices up to this far apart, in mesh units; alone: 0. Default: off")
+                    "exact: first merge vertices up to this far apart, in mesh units; alone: 0 (spectral and "
+                    "partial always merge those). Default: off")
         ->type_name("[LENGTH]")
         ->check(non_negative());
     match

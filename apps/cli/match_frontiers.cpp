@@ -142,17 +142,23 @@ MethodCommand add_frontiers_method(CLI::App& match) {
         ->capture_default_str()
         ->needs(distance)
         ->group(group);
-    return {"frontiers", "same connectivity: breadth-first frontiers, level by level",
-            [arguments](const MatchInput& input) {
-                if (arguments->geodesic) return run_geodesic(*arguments, input);
-                FrontiersOptions run_options = arguments->options;
-                run_options.vertex_hashes = !arguments->positions_only;
-                if (run_options.paper && arguments->pairing->count() == 0)
-                    run_options.pairing = Pairing::closest;
-                run_options.n_threads = input.common.threads;
-                run_options.progress = input.progress;
+    return {
+        "frontiers", "same connectivity: breadth-first frontiers, level by level",
+        [arguments](const MatchInput& input) {
+            if (arguments->geodesic) return run_geodesic(*arguments, input);
+            FrontiersOptions run_options = arguments->options;
+            run_options.vertex_hashes = !arguments->positions_only;
+            if (run_options.paper && arguments->pairing->count() == 0) run_options.pairing = Pairing::closest;
+            run_options.n_threads = input.common.threads;
+            run_options.progress = input.progress;
+            try {
                 return outcome_of(match_frontiers(input.source, input.target, run_options));
-            }};
+            } catch (const InvalidInput& error) {
+                const std::string reason = error.what();
+                if (reason.find("connectivity differs") == std::string::npos) throw;
+                throw InvalidInput(reason + "; --distance geodesic matches meshes of different connectivity");
+            }
+        }};
 }
 
 }  // namespace counterpart::cli

@@ -8,6 +8,7 @@
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/map/complete.hpp>
 
+#include <cmath>
 #include <map>
 #include <memory>
 
@@ -40,11 +41,26 @@ std::filesystem::path numbered_alternative(const std::filesystem::path& file, st
            fmt::format("{}_{}{}", file.stem().string(), number, file.extension().string());
 }
 
+// What was taken for a part of what.
+std::string role(Part part) {
+    switch (part) {
+        case Part::source:
+            return "the source is taken for a part of the target";
+        case Part::target:
+            return "the target is taken for a part of the source";
+        case Part::both:
+            return "both meshes are taken for parts that overlap";
+        default:
+            return "both meshes are taken for whole";
+    }
+}
+
 std::string part_summary(const PartialResult& result) {
     std::string text =
-        fmt::format("part: {}; {:.0f} % of the source and {:.0f} % of the target have a partner",
-                    to_string(result.part), 100 * result.source_share, 100 * result.target_share);
-    if (result.scale != 1) text += fmt::format("; the source is taken {:.3g} times as large", result.scale);
+        fmt::format("{}; {:.0f} % of the source's area and {:.0f} % of the target's have a partner",
+                    role(result.part), 100 * result.source_share, 100 * result.target_share);
+    if (std::abs(result.scale - 1) > 0.005)
+        text += fmt::format("; the source is taken {} times as large", readable(result.scale));
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include <counterpart/transfer/morph.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
@@ -80,6 +81,23 @@ void write_morph_targets(AttributedMesh content, const std::vector<Points>& fram
     write_gltf(content, command.output, command.frames_per_second);
 }
 
+// An earlier run may have left more frames, or some of another format, that a player would show too.
+void warn_of_other_frames(const MorphCommand& command, std::size_t n_written) {
+    std::vector<std::string> others;
+    for (const auto& entry : std::filesystem::directory_iterator(command.output)) {
+        const std::string name = entry.path().filename().string();
+        unsigned number = 0;
+        if (std::sscanf(name.c_str(), "frame_%u", &number) != 1) continue;
+        if (number >= n_written || entry.path().extension() != command.format) others.push_back(name);
+    }
+    if (others.empty()) return;
+    std::sort(others.begin(), others.end());
+    warn(fmt::format(
+        "{} also holds {} that this run did not write, from {} to {}: delete what you do not want",
+        command.output.string(), counted(static_cast<Index>(others.size()), "frame"), others.front(),
+        others.back()));
+}
+
 // With what the first key frame has that no pose changes: no normals, no skeleton.
 void write_frames(AttributedMesh content, const std::vector<Points>& frames, const Points& last,
                   const MorphCommand& command) {
@@ -99,6 +117,7 @@ void write_frames(AttributedMesh content, const std::vector<Points>& frames, con
     write(Points(content.mesh.vertices), 0);
     for (std::size_t k = 0; k < frames.size(); ++k) write(frames[k], k + 1);
     write(last, frames.size() + 1);
+    warn_of_other_frames(command, frames.size() + 2);
 }
 
 void run(const MorphCommand& command) {
@@ -109,9 +128,9 @@ void run(const MorphCommand& command) {
     const TriangleMesh last = load_mesh(command.last, command.common);
     MorphOptions options = command.options;
     options.n_threads = command.common.threads;
-    const LastPose placed = last_pose(
-        first, last,
-        surface_map_or_match(command.map, {first, last, command.first, command.last}, command.common));
+    const FoundMap<SurfaceMap> found =
+        surface_map_or_match(command.map, {first, last, command.first, command.last}, command.common);
+    const LastPose placed = last_pose(first, last, found.map);
     const Points& pose = placed.vertices;
     if (placed.n_followers > 0)
         say(command.common, fmt::format("{} unmatched vertices follow their neighbors", placed.n_followers));
@@ -129,15 +148,17 @@ void run(const MorphCommand& command) {
     const Json rows = measured(first, pose, frames);
     say(command.common, "as rigid as possible: " + worst_of(rows, ""));
     say(command.common, "linear blending:      " + worst_of(rows, "linear_"));
-    say(command.common, fmt::format("{} in-betweens and the two key frames in {:.2f} s -> {}", frames.size(),
+    say(command.common, fmt::format("{} and the two key frames in {:.2f} s -> {}",
+                                    counted(static_cast<Index>(frames.size()), "in-between"),
                                     watch.stages()[1].seconds, command.output.string()));
-    write_report({{"command", "morph"},
-                  {"first", command.first.string()},
-                  {"last", command.last.string()},
-                  {"vertices", first.n_vertices()},
-                  {"frames", rows},
-                  {"seconds", to_json(watch.stages())}},
-                 command.common);
+    Json report = {{"command", "morph"},
+                   {"first", command.first.string()},
+                   {"last", command.last.string()},
+                   {"vertices", first.n_vertices()}};
+    report.update(found.report);
+    report["frames"] = rows;
+    report["seconds"] = to_json(watch.stages());
+    write_report(report, command.common);
 }
 
 }  // namespace

@@ -116,8 +116,7 @@ void run(RenderCommand& command) {
 
 void add_inputs(CLI::App& render, RenderCommand& command) {
     FileArguments& files = command.request.common.files;
-    add_input(render, files, "SOURCE", command.source, "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
-        ->required();
+    add_input(render, files, "SOURCE", command.source, "Mesh file")->required();
     add_input(render, files, "TARGET", command.target, "Mesh file");
     add_output(render, files, "-o,--output", command.output, Content::picture,
                "Image file: .png, or .svg for curves")

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "compare_meshes.hpp"
 #include "console.hpp"
+#include "verdict.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -26,14 +28,18 @@ struct ReorderCommand {
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
+const Verdict verdict{"use", ""};  // what only connectivity decides is right
+
 void report(const ReorderCommand& command, Index n_vertices, const std::vector<std::string>& notices,
             const std::vector<StageTime>& stages = {}) {
+    say(command.common, verdict.sentence());
     for (const std::string& notice : notices) say(command.common, notice);
     say(command.common, fmt::format("{} vertices in the order of {} -> {}", n_vertices,
                                     command.source.string(), command.output.string()));
     Json json{{"command", "reorder"},
               {"source", command.source.string()},
               {"target", command.target.string()},
+              {"verdict", verdict.word},
               {"vertices", n_vertices},
               {"messages", notices}};
     if (!stages.empty()) json["seconds"] = to_json(stages);
@@ -67,9 +73,15 @@ void run(const ReorderCommand& command) {
     const ExactResult match = match_exact(source, target, command.options);
     watch.lap("match");
     if (!match.identical) {
+        const std::string advice =
+            command.options.weld_distance < 0
+                ? welding_advice(source, target, command.source.string(), command.target.string())
+                : std::string();
         throw InvalidInput(
-            "the meshes have different connectivity (" + match.difference +
-            "), so the order cannot be restored; 'match --method exact' reports where they differ");
+            fmt::format("the meshes have different connectivity ({}), so the order cannot be restored; "
+                        "{}{}'match --method "
+                        "exact' reports where they differ",
+                        match.difference, advice, advice.empty() ? "" : "; "));
     }
     if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);

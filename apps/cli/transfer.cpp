@@ -13,7 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -135,41 +138,65 @@ void keep_what_fits(const TransferCommand& command, TransferOptions& options) {
                                         fmt::join(left_out, ", ")));
 }
 
-TransferResult transferred(const TransferCommand& command, const AttributedMesh& source,
-                           const AttributedMesh& target, const TransferOptions& options) {
+// The map in the direction in which it is given, or that was found, once for all that is transferred.
+FoundMap<SurfaceMap> map_of(const TransferCommand& command, const TriangleMesh& source,
+                            const TriangleMesh& target) {
     if (!command.inverse.empty())
-        return transfer_through_inverse(
-            source, target,
-            load_surface_map(command.inverse, {target.mesh, source.mesh, command.target, command.source},
-                             command.common),
-            options);
-    return transfer(
-        source, target,
-        surface_map_or_match(command.map, {source.mesh, target.mesh, command.source, command.target},
-                             command.common),
-        options);
+        return {load_surface_map(command.inverse, {target, source, command.target, command.source},
+                                 command.common)};
+    return surface_map_or_match(command.map, {source, target, command.source, command.target},
+                                command.common);
 }
 
-// Values per source vertex at the target's vertices: weighted means, or of labels the one with most weight.
-void transfer_values_file(const TransferCommand& command, const TriangleMesh& source,
-                          const TriangleMesh& target) {
-    if (command.values.empty()) return;
-    const Matrix values = read_npy(command.values);
-    if (values.rows() != source.n_vertices())
+TransferResult transferred(const TransferCommand& command, const AttributedMesh& source,
+                           const AttributedMesh& target, const SurfaceMap& map,
+                           const TransferOptions& options) {
+    return command.inverse.empty() ? transfer(source, target, map, options)
+                                   : transfer_through_inverse(source, target, map, options);
+}
+
+struct VertexValues {
+    Matrix values;
+    NpyLayout layout;
+};
+
+std::optional<VertexValues> values_of(const TransferCommand& command, Index n_vertices) {
+    if (command.values.empty()) return std::nullopt;
+    VertexValues given{read_npy(command.values), read_npy_layout(command.values)};
+    if (given.values.rows() != n_vertices)
         throw InvalidInput(fmt::format("{}: has {} rows, but {} has {} vertices", command.values.string(),
-                                       values.rows(), command.source.string(), source.n_vertices()));
-    SurfaceMap back;
-    if (!command.inverse.empty())
-        back = load_surface_map(command.inverse, {target, source, command.target, command.source},
-                                command.common);
-    else
-        back = invert(surface_map_or_match(command.map, {source, target, command.source, command.target},
-                                           command.common),
-                      source, target, {.n_threads = command.common.threads});
+                                       given.values.rows(), command.source.string(), n_vertices));
+    if (given.layout.is_integer && !command.labels)
+        say(command.common,
+            fmt::format("{} holds whole numbers, which are mixed as numbers between vertices; "
+                        "if they are labels, give --labels",
+                        command.values.string()));
+    return given;
+}
+
+// In the shape that was given; labels also in its type.
+void write_values(const Matrix& values, const NpyLayout& layout, bool are_labels,
+                  const std::filesystem::path& file) {
+    if (layout.n_dimensions != 1) return write_npy(values, file);
+    const Vector column = values.col(0);
+    const auto fits = [](double value) { return std::abs(value) <= std::numeric_limits<Index>::max(); };
+    if (!layout.is_integer || !are_labels || !std::all_of(column.begin(), column.end(), fits))
+        return write_npy(column, file);
+    std::vector<Index> labels;
+    for (const double label : column) labels.push_back(static_cast<Index>(label));
+    write_npy(labels, file);
+}
+
+// At the target's vertices: weighted means, or of labels the one with most weight.
+void transfer_values_file(const TransferCommand& command, const TriangleMesh& source,
+                          const TriangleMesh& target, const SurfaceMap& map, const VertexValues& given) {
+    SurfaceMap back =
+        command.inverse.empty() ? invert(map, source, target, {.n_threads = command.common.threads}) : map;
     back = complete_map(back, target, source).target_from_source;
     if (command.labels) back = surface_map_of(nearest_corners(back, source), source);
-    write_npy(transfer_values(back, source, values), command.values_output);
-    say(command.common, fmt::format("{} x {} values -> {}", target.n_vertices(), values.cols(),
+    write_values(transfer_values(back, source, given.values), given.layout, command.labels,
+                 command.values_output);
+    say(command.common, fmt::format("{} x {} values -> {}", target.n_vertices(), given.values.cols(),
                                     command.values_output.string()));
 }
 
@@ -187,8 +214,13 @@ void run(const TransferCommand& command) {
                    {"vertices", target.mesh.n_vertices()},
                    {"triangles", target.mesh.n_triangles()},
                    {"attributes", Json::array()}};
+    const std::optional<VertexValues> values = values_of(command, source.mesh.n_vertices());
+    FoundMap<SurfaceMap> found;
+    if (transfers_anything(options) || values) found = map_of(command, source.mesh, target.mesh);
+    report.update(found.report);
+    if (values) transfer_values_file(command, source.mesh, target.mesh, found.map, *values);
     if (transfers_anything(options)) {
-        TransferResult result = transferred(command, source, target, options);
+        TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
         for (const std::string& warning : result.warnings) warn(warning);
         for (const TransferredAttribute& attribute : result.attributes) {
@@ -202,7 +234,6 @@ void run(const TransferCommand& command) {
         say(command.common,
             fmt::format("nothing is transferred; {} has {}", command.source.string(), kinds_held(source)));
     }
-    transfer_values_file(command, source.mesh, target.mesh);
     write_attributed_mesh(target, command.output);
     watch.lap("write");
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", target.mesh.n_vertices(),
@@ -234,14 +265,17 @@ void add_transfer(CLI::App& program) {
     add_output(*transfer, command->common.files, "-o,--output", command->output, Content::mesh,
                "Mesh file: .glb or .gltf; .obj and .ply keep colors, uv and normals")
         ->required();
-    CLI::Option* values = add_input(*transfer, command->common.files, "--values", command->values,
-                                    "Numbers per vertex of SOURCE (.npy), to be transferred as well");
+    CLI::Option* values = add_input(
+        *transfer, command->common.files, "--values", command->values,
+        "Numbers per vertex of SOURCE (.npy), to be transferred as well, in the shape that they have");
     CLI::Option* values_output =
         add_output(*transfer, command->common.files, "--values-output", command->values_output,
                    Content::matrix, "File for the numbers per vertex of TARGET (.npy)");
     values->needs(values_output);
     values_output->needs(values);
-    transfer->add_flag("--labels", command->labels, "The numbers are labels: take the nearest, do not mix")
+    transfer
+        ->add_flag("--labels", command->labels,
+                   "The numbers are labels: take the nearest, do not mix; whole numbers stay whole")
         ->needs(values);
     std::vector<std::string> names = {"none"};
     for (const TransferKind& kind : transfer_kinds) names.emplace_back(kind.name);

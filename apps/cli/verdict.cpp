@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "verdict.hpp"
 
+#include "compare_meshes.hpp"
+
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace counterpart::cli {
 namespace {
@@ -60,12 +63,20 @@ Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source) {
         marked.push_back(outcome.target_from_source[static_cast<Index>(v)] != VertexMap::unmatched &&
                          confidence[v] < doubtful);
     const auto n_doubtful = std::count(marked.begin(), marked.end(), 1);
+    const Index n = outcome.target_from_source.source_size(),
+                n_unmatched = n - count_matched(outcome.target_from_source);
+    if (why.empty() && n_unmatched > n / 2)
+        why = fmt::format("{} of {} vertices have no partner", n_unmatched, n);
     const double share = static_cast<double>(n_doubtful) / static_cast<double>(marked.size());
-    constexpr double nearly_all = 0.9;  // then no place says more than another
-    const std::string where = n_doubtful == 0      ? ""
-                              : share > nearly_all ? "nearly all vertices are doubtful"
-                                                   : fmt::format("{:.0f} % of the vertices are doubtful, {}",
-                                                                 100 * share, place_of(marked, source));
+    constexpr double nearly_all = 0.9;     // then no place says more than another
+    constexpr double least_share = 0.005;  // that is not 0 % when rounded
+    const std::string where = n_doubtful == 0 ? ""
+                              : share > nearly_all
+                                  ? "nearly all vertices are doubtful"
+                                  : fmt::format("{} of the vertices {} doubtful, {}",
+                                                share < least_share ? std::to_string(n_doubtful)
+                                                                    : fmt::format("{:.0f} %", 100 * share),
+                                                n_doubtful == 1 ? "is" : "are", place_of(marked, source));
     const auto with_where = [&](const std::string& reason) {
         return reason.empty() || where.empty() ? reason + where : reason + "; " + where;
     };
@@ -74,6 +85,25 @@ Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source) {
     if (rejected) return {"do not use", with_where(why)};
     if (!why.empty() || share > look_share) return {"check", with_where(why)};
     return {"use", ""};
+}
+
+Json Judgment::report() const {
+    return {{"verdict", verdict.word}, {"verdict_reason", verdict.reason}, {"probable_causes", causes}};
+}
+
+Judgment judge(const MatchOutcome& outcome, const MeshPair& pair) {
+    Judgment judgment{verdict_on(outcome, pair.source), {}};
+    if (judgment.verdict.word != "use")
+        judgment.causes =
+            probable_causes(pair.source, pair.target, pair.source_file.string(), pair.target_file.string());
+    return judgment;
+}
+
+void say(const CommonOptions& options, const Judgment& judgment) {
+    say(options, judgment.verdict.sentence());
+    if (!judgment.causes.empty())
+        say(options,
+            fmt::format("probable causes, the likeliest first: {}", fmt::join(judgment.causes, "; ")));
 }
 
 }  // namespace counterpart::cli

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "load_map.hpp"
 #include "match_methods.hpp"
 
 #include <string>
+#include <vector>
 
 namespace counterpart::cli {
 
@@ -17,5 +19,17 @@ struct Verdict {
 
 /// From the method's confidence and warnings.
 Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source);
+
+/// A verdict and, unless it is "use", what may be the cause, the likeliest first.
+struct Judgment {
+    Verdict verdict;
+    std::vector<std::string> causes;
+
+    /// What every report of a command that matches holds.
+    Json report() const;
+};
+Judgment judge(const MatchOutcome& outcome, const MeshPair& pair);
+/// Says the verdict and the causes, unless --quiet.
+void say(const CommonOptions& options, const Judgment& judgment);
 
 }  // namespace counterpart::cli

@@ -99,7 +99,19 @@ std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
     return image;
 }
 
-void run(const ViewCommand& command) {
+// view.html in the current folder, or the first view_2.html, ... that is not there: nothing is replaced.
+std::filesystem::path unused_page() {
+    std::filesystem::path page = "view.html";
+    for (int number = 2; std::filesystem::exists(page); ++number) page = fmt::format("view_{}.html", number);
+    return page;
+}
+
+void run(ViewCommand& command) {
+    if (command.output.empty()) {
+        command.output = unused_page();
+        check_files(command.common.files);
+        say(command.common, fmt::format("no -o is given: the page will be {}", command.output.string()));
+    }
     Stopwatch watch;
     AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
     AttributedMesh target_content = load_attributed_mesh(command.target, command.common);
@@ -108,12 +120,15 @@ void run(const ViewCommand& command) {
     const MeshPair pair{source, target, command.source, command.target};
     std::vector<LoadedMap> loaded;
     std::vector<ViewerMap> maps;
+    Json match_report = Json::object();
     for (const std::filesystem::path& file : command.maps) {
         loaded.push_back(load_map(file, pair));
         maps.push_back({file.stem().string(), loaded.back().vertices});
     }
     if (maps.empty()) {
-        loaded.push_back({matched(pair, command.common), std::nullopt});
+        FoundMap<VertexMap> found = matched(pair, command.common);
+        match_report = std::move(found.report);
+        loaded.push_back({std::move(found.map), std::nullopt});
         maps.push_back({"match", loaded.back().vertices});
     }
     ViewerOptions options = command.options;
@@ -144,16 +159,17 @@ void run(const ViewCommand& command) {
     say(command.common, fmt::format("{} and {} vertices, {} map{} -> {} ({:.1f} MB)", source.n_vertices(),
                                     target.n_vertices(), maps.size(), maps.size() == 1 ? "" : "s",
                                     command.output.string(), static_cast<double>(page.size()) / 1e6));
-    write_report({{"command", "view"},
-                  {"source", command.source.string()},
-                  {"target", command.target.string()},
-                  {"output", command.output.string()},
-                  {"source_vertices", source.n_vertices()},
-                  {"target_vertices", target.n_vertices()},
-                  {"maps", maps.size()},
-                  {"bytes", page.size()},
-                  {"seconds", to_json(watch.stages())}},
-                 command.common);
+    Json report = {{"command", "view"},
+                   {"source", command.source.string()},
+                   {"target", command.target.string()},
+                   {"output", command.output.string()},
+                   {"source_vertices", source.n_vertices()},
+                   {"target_vertices", target.n_vertices()},
+                   {"maps", maps.size()},
+                   {"bytes", page.size()}};
+    report.update(match_report);
+    report["seconds"] = to_json(watch.stages());
+    write_report(report, command.common);
 }
 
 }  // namespace
@@ -162,15 +178,13 @@ void add_view(CLI::App& program) {
     auto command = std::make_shared<ViewCommand>();
     CLI::App* view =
         program.add_subcommand("view", "Write a web page that shows two meshes and the maps between them");
-    add_input(*view, command->common.files, "SOURCE", command->source,
-              "Mesh file (.off, .obj, .ply, .stl, .glb, .gltf)")
-        ->required();
+    add_input(*view, command->common.files, "SOURCE", command->source, "Mesh file")->required();
     add_input(*view, command->common.files, "TARGET", command->target, "Mesh file")->required();
     add_input(*view, command->common.files, "--map", command->maps,
               "Map of either kind. Give several to compare them. Default: match the meshes first");
     add_output(*view, command->common.files, "-o,--output", command->output, Content::page,
-               "HTML file; opens in any browser, offline")
-        ->required();
+               "HTML file; opens in any browser, offline. Default: view.html in the current folder, or "
+               "view_2.html, ... if that is there");
     add_input(
         *view, command->common.files, "--values", command->values,
         "Numbers per vertex of SOURCE (.npy), to color by: a confidence, a distance. Several may be given");

@@ -169,6 +169,12 @@ void write_npy(std::span<const Index> numbers, const std::filesystem::path& file
     write_file(npy_bytes(numbers), file);
 }
 
+NpyLayout read_npy_layout(const std::filesystem::path& file) {
+    const std::string bytes = read_whole_file(file);
+    const Array array = parse(bytes, file);
+    return {array.kind == 'i', static_cast<int>(array.shape.size())};
+}
+
 Matrix read_npy(const std::filesystem::path& file) { return parse_npy(read_whole_file(file), file); }
 
 std::vector<Index> io::parse_npy_indices(std::string_view bytes, const std::filesystem::path& file) {

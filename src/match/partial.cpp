@@ -86,12 +86,17 @@ class PartialMatching {
     }
 
     PartialResult run() {
-        measure();
-        if (!options_.same_scale && result_.part != Part::neither) rescale();
+        // Measured from 5000 to 290000 vertices: distances grow with the vertices, trying scales does not.
+        const bool unknown_scale = !options_.same_scale && result_.part != Part::neither;
+        const bool may_tear = result_.part == Part::neither;
+        const double measured = unknown_scale || may_tear ? 0.3 : 0.6,
+                     scaled = unknown_scale ? 0.75 : measured, fitted = may_tear ? 0.5 : 0.98;
+        measure(progress_.part(0, measured));
+        if (unknown_scale) rescale(progress_.part(measured, scaled));
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
-        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(0.4, 1));
-        if (result_.part == Part::neither) tear(found);
+        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(scaled, fitted));
+        if (may_tear) tear(found, progress_.part(fitted, 0.98));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
         take(found);
         result_.stages = watch_.stages();
@@ -105,7 +110,10 @@ class PartialMatching {
     bool part_is_covered() const { return result_.part != Part::both; }
 
     // Both surfaces in one unit: the square root of the whole's area; of two parts, of the larger one's.
-    void measure() {
+    void measure(const ProgressRange& progress) {
+        // Of two at once the larger one tells how far they are.
+        const bool part_is_larger = of_part().mesh.n_vertices() > of_whole().mesh.n_vertices();
+        const ProgressRange silent;
         const double part_area = surface_area(of_part().mesh), whole_area = surface_area(of_whole().mesh);
         const bool is_known = options_.same_scale && result_.part != Part::neither;
         const double area =
@@ -119,24 +127,26 @@ class PartialMatching {
         parallel_invoke(
             [&] {
                 part_.emplace(in_units(of_part().mesh, std::sqrt(area) / scale_), n_part_samples(), on_part,
-                              tuning_.surface, progress_.part(0, 0.2));
+                              tuning_.surface, part_is_larger ? progress : silent);
             },
             [&] {
                 whole_.emplace(in_units(of_whole().mesh, std::sqrt(area)), options_.n_samples, on_whole,
-                               tuning_.surface, progress_.part(0, 0.2));
+                               tuning_.surface, part_is_larger ? silent : progress);
             });
         watch_.lap("surfaces");
     }
 
     // Where the best map tears the part, the surface may be fused with itself: distances are measured again
     // without the torn triangles, and the part is matched again.
-    void tear(std::vector<Fit>& found) {
+    void tear(std::vector<Fit>& found, const ProgressRange& progress) {
         for (int round = 0; round < tuning_.tear.n_rounds && !found.empty(); ++round) {
             const Tears tears = find_tears(*part_, *whole_, found.front().bent.image, tuning_.tear);
             if (tears.vertices.empty()) break;
-            Surface torn(tears.mesh, n_part_samples(), {}, tuning_.surface, {});
+            const ProgressRange mine = progress.step(static_cast<std::size_t>(round),
+                                                     static_cast<std::size_t>(tuning_.tear.n_rounds));
+            Surface torn(tears.mesh, n_part_samples(), {}, tuning_.surface, mine.part(0, 0.5));
             std::vector<Fit> again = fits(SamplePair(torn, *whole_, 0, tuning_.surface), tuning_,
-                                          options_.seed, watch_, progress_.part(1, 1));
+                                          options_.seed, watch_, mine.part(0.5, 1));
             if (again.empty() || again.front().total < found.front().total + tuning_.tear.min_gain) break;
             found = std::move(again);
             std::vector<Index>& touching = bends_source_ ? result_.source_touching : result_.target_touching;
@@ -150,13 +160,13 @@ class PartialMatching {
     }
 
     // Both have unit area now.
-    void rescale() {
+    void rescale(const ProgressRange& progress) {
         const ScaleTuning& tuning = tuning_.scale;
         const bool two_parts = result_.part == Part::both;
         const double least = std::sqrt(two_parts ? 1 / tuning.max_ratio : tuning.min_share),
                      most = std::sqrt(two_parts ? tuning.max_ratio : tuning.max_share);
         const double factor = find_scale(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
-                                         least, most, tuning_, options_.seed, progress_.part(0.2, 0.4));
+                                         least, most, tuning_, options_.seed, progress);
         part_ = rescaled(*part_, factor, tuning_.surface);
         scale_ *= factor;
         watch_.lap("scale");

@@ -29,6 +29,11 @@ i, (a, b, x) = 777, f[777]
 j, y = edges[b, a]
 g[i], g[j] = [a, y, x], [y, b, x]
 write("flipped.off", v, g)
+# Of a mesh without symmetry: its mirror image, that turned inside out, and itself turned inside out.
+mirror = [[-float(p[0]), p[1], p[2]] for p in v]
+write("mirror.off", mirror, [[a, c, b] for a, b, c in g])
+write("mirror_inside_out.off", mirror, g)
+write("inside_out.off", v, [[a, c, b] for a, b, c in g])
 write("hole.off", v, [t for k, t in enumerate(f) if k != 500])
 random.seed(1)
 tetrahedra, faces = [], []
@@ -66,6 +71,23 @@ done
 says "have the opposite winding"
 run match source.off reversed.off -o reversed.txt --method exact
 says "winding is reversed"
+
+# ---- a mirror image, apart from what is inside out ----
+for kind in mirror mirror_inside_out inside_out; do
+  run match flipped.off $kind.off -o $kind.txt --method exact --report $kind.json
+  cp err said
+  run inspect flipped.off $kind.off
+  mirrored=$([ $kind = inside_out ] && echo false || echo true)
+  grep -q "\"mirrored\": $mirrored" $kind.json || fail "$kind: the report does not say mirrored: $mirrored"
+  if [ $mirrored = true ]; then
+    grep -q "the target is a mirror image of the source" said || { cat said; fail "$kind: match says no mirror image"; }
+    grep -q "the second is a mirror image of the first" out || { cat out; fail "$kind: inspect says no mirror image"; }
+  else
+    ! grep -q "mirror image" said out || { cat said out; fail "$kind is no mirror image"; }
+  fi
+  [ $kind = mirror ] || grep -q "the second is inside out" out || fail "$kind: inspect does not say inside out"
+done
+seq 0 $(($(wc -l < mirror.txt) - 1)) | cmp -s - mirror.txt || fail "the map to the mirror image is not the true one"
 
 refuse 1 "is flipped" match source.off flipped.off -o no.txt --method exact --report report.json
 refuse 1 "--allow-differences" match source.off flipped.off -o no.txt --method exact

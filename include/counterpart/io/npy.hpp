@@ -18,6 +18,14 @@ void write_npy(const Matrix& matrix, const std::filesystem::path& file);
 /// either memory order; a vector becomes one column. Throws IoError naming the file and the reason.
 Matrix read_npy(const std::filesystem::path& file);
 
+/// How a `.npy` stores its numbers.
+struct NpyLayout {
+    bool is_integer = false;
+    int n_dimensions = 2;  ///< 1 or 2
+};
+/// Of a file that read_npy can read. Throws IoError as that does.
+NpyLayout read_npy_layout(const std::filesystem::path& file);
+
 /// Writes a vector as one-dimensional `.npy` (float64).
 void write_npy(const Vector& vector, const std::filesystem::path& file);
 

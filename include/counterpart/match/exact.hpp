@@ -62,12 +62,14 @@ struct ExactResult {
     ExactPath path = ExactPath::surface;
     Index n_components = 0;  ///< connected through manifold edges
     std::vector<EqualComponents> interchangeable;
-    Count automorphisms;                  ///< of the source, orientation-preserving, with the identity
-    Count mirror_automorphisms;           ///< of the source, orientation-reversing
-    Index reversed_triangles = 0;         ///< in opposite winding in the target
-    Index recut_polygons = 0;             ///< or quads found, cut into other triangles in the target
-    bool winding_reversed = false;        ///< all of them: the target's winding is reversed as a whole
-    bool mirrored = false;                ///< a mirror match was chosen, which only allow_mirror permits
+    Count automorphisms;            ///< of the source, orientation-preserving, with the identity
+    Count mirror_automorphisms;     ///< of the source, orientation-reversing
+    Index reversed_triangles = 0;   ///< in opposite winding in the target
+    Index recut_polygons = 0;       ///< or quads found, cut into other triangles in the target
+    bool winding_reversed = false;  ///< all of them: the target's winding is reversed as a whole
+    /// The target is a mirror image of the source: by the volumes of closed surfaces, or because such a match
+    /// was chosen, which only allow_mirror permits.
+    bool mirrored = false;
     std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
 
     std::vector<std::string> notices;  ///< all of the above that a person should know, as sentences

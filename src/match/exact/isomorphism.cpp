@@ -63,14 +63,21 @@ void count_automorphisms(const MatchedMaps& maps, ExactResult& result) {
         count_from_log10(has_mirror && all_mirror ? log10 : -std::numeric_limits<double>::infinity());
 }
 
-// Where both orientations fit, the one that keeps the outside outside: winding alone cannot tell a reversed
-// mesh from its mirror image.
-bool is_inside_out(const MatchedMaps& maps) {
+// Of closed surfaces: whether one has its inside out and the other not. Nothing where that is not defined.
+std::optional<bool> is_inside_out(const MatchedMaps& maps) {
     const auto is_closed = [](const DartMap& map) {
         return map.boundary_edges == 0 && map.non_manifold_edges == 0 && map.flipped.empty();
     };
-    return is_closed(maps.source) && is_closed(maps.target) &&
-           signed_volume(maps.source_mesh) * signed_volume(maps.target_mesh) < 0;
+    if (!is_closed(maps.source) || !is_closed(maps.target)) return std::nullopt;
+    const double product = signed_volume(maps.source_mesh) * signed_volume(maps.target_mesh);
+    return product == 0 ? std::nullopt : std::optional<bool>(product < 0);
+}
+
+// A target that is wound the other way is inside out or a mirror image: the volumes tell which.
+bool is_mirror_image(const MatchedMaps& maps, const ExactResult& result) {
+    if (result.reversed_triangles != 0 && !result.winding_reversed) return false;
+    const std::optional<bool> inside_out = is_inside_out(maps);
+    return inside_out && *inside_out != result.winding_reversed;
 }
 
 // Twice the area as seen from above, negative if most triangles are clockwise; nothing unless the mesh lies
@@ -213,7 +220,8 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
         return !options.progress || options.progress(0.6 + 0.3 * share);
     };
     const bool preserves = is_feasible(maps, false), reverses = is_feasible(maps, true);
-    bool reversed = reverses && (!preserves || is_inside_out(maps));
+    // Where both orientations fit, the one that keeps the outside outside.
+    bool reversed = reverses && (!preserves || is_inside_out(maps).value_or(false));
     const std::optional<bool> turned = is_turned_over_in_plane(maps);
     if (turned && (preserves || reverses)) {
         result.mirrored = !(*turned ? reverses : preserves);
@@ -290,6 +298,7 @@ Isomorphism match_triangles(MeshView source, MeshView target, const ExactOptions
     }
     result.identical = true;
     fill_maps(maps, choices[0].pairs, result);
+    result.mirrored = result.mirrored || is_mirror_image(maps, result);
     result.target_from_source = with_isolated(maps, choices[0].alignment, result.target_from_source);
     for (std::size_t i = 1; i < choices.size(); ++i) {
         ExactResult other;

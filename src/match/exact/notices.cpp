@@ -37,7 +37,9 @@ void describe(const Described& source, ExactResult& result) {
             "patches; matched patch by patch ({} patches)",
             source.non_manifold_edges, source.faces, source.non_manifold_vertices, result.n_components));
     if (result.mirrored)
-        notices.push_back(fmt::format("an orientation-reversing match was chosen"));
+        notices.push_back(fmt::format(
+            "the target is a mirror image of the source{}",
+            result.winding_reversed ? fmt::format(": all {} have the opposite winding", source.faces) : ""));
     else if (result.winding_reversed)
         notices.push_back(
             fmt::format("the target's winding is reversed: all {} have the opposite winding", source.faces));

@@ -108,14 +108,14 @@ std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::
     const std::vector<SampleMap> groups = consensus_maps(pair, tuning.consensus, seed, progress.part(0, 0.2));
     watch.lap("consensus");
     const std::vector<Plausible> plausible = most_plausible(pair, groups, tuning);
-    progress.reach(0.4);
+    progress.reach(0.25);
     watch.lap("relabel");
     const LaplaceBeltrami laplacian = laplace_beltrami(part.mesh);
     const numerics::OrientedNeighbors on_whole(whole.mesh.vertices, whole.normals, tuning.fit.normal_weight);
     const MatrixF of_part = part.signatures_of(part.samples, std::array{tuning.judge_radius});
     std::vector<Fit> found;
     for (std::size_t i = 0; i < plausible.size(); ++i) {
-        const ProgressRange mine = progress.part(0.4, 1).step(i, plausible.size());
+        const ProgressRange mine = progress.part(0.25, 1).step(i, plausible.size());
         Fit fit{plausible[i].map, {}, {}, 0, 0, 0};
         const std::vector<Index> start =
             anchored_map(part, whole, fit.anchors, tuning.anchoring, mine.part(0, 0.2));
@@ -133,6 +133,8 @@ std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::
 
 double find_scale(const Surface& part, const Surface& whole, Index n_landmarks, double least, double most,
                   const PartialTuning& tuning, std::uint64_t seed, const ProgressRange& progress) {
+    constexpr double coarse_ends =
+        0.6;  // of the progress: a trial with all samples takes several times longer
     const auto trial_at = [&](double scale, const Surface& of_part, const Surface& of_whole) {
         const Surface scaled = rescaled(of_part, scale, tuning.surface);
         return try_scale(SamplePair(scaled, of_whole, n_landmarks, tuning.surface), tuning, seed);
@@ -148,13 +150,17 @@ double find_scale(const Surface& part, const Surface& whole, Index n_landmarks, 
         const double tried = least * std::pow(most / least, static_cast<double>(i) / n);
         const double score = trial_at(tried, coarse_part, coarse_whole).score;
         if (score > best_score) best_score = score, scale = tried;
-        progress.reach((i + 1.0) / (n + 2.0));
+        progress.reach(coarse_ends * (i + 1.0) / (n + 1.0));
     }
     // Around the best one with all.
+    const ProgressRange refining = progress.part(coarse_ends, 1);
+    const double n_trials = tuning.scale.n_refinements + 1.0;
     ScaleTrial best = trial_at(scale, part, whole);
+    refining.reach(1 / n_trials);
     for (int i = 0; i < tuning.scale.n_refinements; ++i) {
         const double next = scale * best.ratio;
         const ScaleTrial trial = trial_at(next, part, whole);
+        refining.reach((i + 2) / n_trials);
         if (trial.score <= best.score) break;
         best = trial;
         scale = next;

@@ -10,6 +10,7 @@
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -72,6 +73,7 @@ MatrixF lower_bounds(const Surface& surface) {
 MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,
                              const ProgressRange& progress) {
     MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
+    std::atomic<std::size_t> n_done = 0;
     parallel_for_with(
         sources.size(), 1, [&] { return geodesic::Dijkstra(graph); },
         [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
@@ -80,6 +82,7 @@ MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> 
             for (Index v = 0; v < graph.n_vertices(); ++v)
                 rows(static_cast<Eigen::Index>(i), v) =
                     std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
+            progress.reach(static_cast<double>(++n_done) / static_cast<double>(sources.size()));
         });
     return rows;
 }
@@ -103,11 +106,11 @@ Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& l
     const std::vector<Index> spread = farthest_point_samples(mesh, graph, {.count = n_samples}).vertices;
     samples.insert(samples.end(), spread.begin(), spread.end());
     progress.reach(0.2);
-    rows = distance_rows_within(graph, samples, std::numeric_limits<double>::infinity(), progress);
-    progress.reach(0.6);
+    rows = distance_rows_within(graph, samples, std::numeric_limits<double>::infinity(),
+                                progress.part(0.2, 0.8));
     between.high = rows(Eigen::all, samples);
     between.low = lower_bounds(*this);
-    progress.reach(0.7);
+    progress.reach(0.85);
     signatures = signatures_of(samples, tuning.radii);
     progress.reach(1);
 }

@@ -35,6 +35,10 @@ TEST(Npy, MatricesAndVectorsRoundTrip) {
     write_npy(numbers, folder / "b.npy");
     EXPECT_EQ(read_npy_indices(folder / "b.npy"), numbers);
     EXPECT_EQ(read_npy(folder / "b.npy"), (Matrix{{3}, {-1}, {2147483647}}));
+    EXPECT_TRUE(read_npy_layout(folder / "b.npy").is_integer);
+    EXPECT_EQ(read_npy_layout(folder / "b.npy").n_dimensions, 1);
+    EXPECT_FALSE(read_npy_layout(folder / "a.npy").is_integer);
+    EXPECT_EQ(read_npy_layout(folder / "a.npy").n_dimensions, 2);
 
     write_npy(Vector{{0.5, -2}}, folder / "d.npy");
     EXPECT_EQ(read_npy(folder / "d.npy"), (Matrix{{0.5}, {-2}}));
