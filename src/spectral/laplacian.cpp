@@ -93,6 +93,9 @@ LaplaceBeltrami laplace_beltrami(MeshView mesh, const LaplacianOptions& options)
         throw InvalidInput("laplace_beltrami: mollification must be in [0, 0.1]");
     if (!(surface_area(mesh) > 0))  // mollification would give it some
         throw InvalidInput("the mesh has no area: all its triangles are degenerate");
+    constexpr double too_large = 1e75;  // beyond, the product of four lengths in Heron's formula overflows
+    if ((mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff() > too_large)
+        throw InvalidInput("the mesh is too large to measure: scale it down first");
     spectral::IntrinsicTriangulation surface(mesh);
     if (options.mollification > 0) surface.mollify(options.mollification);
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "support/expect_error.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -28,6 +30,21 @@ TEST(Laplacian, RefusesWhatHasNoSurface) {
     needle.vertices << 0, 0, 0, 1, 0, 0, 2, 0, 0;
     EXPECT_THROW(laplace_beltrami(needle), InvalidInput);
     EXPECT_THROW(laplace_beltrami(make_grid(2, 2), {.mollification = -1}), InvalidInput);
+}
+
+TEST(Laplacian, RefusesWhatIsTooLargeToMeasure) {
+    TriangleMesh mesh = make_icosphere(1);
+    mesh.vertices.row(38).setConstant(1e300);
+    test::expect_error<InvalidInput>([&] { laplace_beltrami(mesh); }, "too large");
+    mesh.vertices.row(38).setConstant(1e100);  // its area is finite still
+    test::expect_error<InvalidInput>([&] { laplace_beltrami(mesh); }, "too large");
+    TriangleMesh loose = make_grid(3, 3);  // a vertex in no triangle that is nearest to none
+    loose.vertices.conservativeResize(loose.n_vertices() + 1, Eigen::NoChange);
+    loose.vertices.bottomRows(1).setConstant(1e300);
+    test::expect_error<InvalidInput>([&] { laplace_beltrami(loose); }, "too large");
+    TriangleMesh large = make_grid(3, 3);
+    large.vertices *= 1e70;
+    EXPECT_NEAR(laplace_beltrami(large).mass.sum() / 1e140, surface_area(make_grid(3, 3)), 1e-9);
 }
 
 TEST(Laplacian, RowsSumToZeroAndMassToTheArea) {
