@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "console.hpp"
+#include "material_files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -53,6 +54,7 @@ void run(const ConvertCommand& command) {
         content.mesh = std::move(welded);
     }
     write_attributed_mesh(content, command.output);
+    if (!content.part_names.empty()) carry_material_files(command.input, command.output);
     const TriangleMesh& mesh = content.mesh;
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
                                     command.output.string()));

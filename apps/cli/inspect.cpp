@@ -3,11 +3,13 @@
 #include "commands.hpp"
 #include "compare_meshes.hpp"
 #include "console.hpp"
+#include "material_files.hpp"
 
 #include <counterpart/base/progress.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -91,9 +93,10 @@ std::string describe(const AttributedMesh& content) {
              fmt::format("{}, up to {} at a vertex", counted(content.skin.joints.maxCoeff() + 1, "joint"),
                          content.skin.weights.cols()));
     line("shapes", shapes.empty() ? "" : fmt::format("{}: {}", shapes.size(), fmt::join(shapes, ", ")));
-    line("parts", content.part_names.empty() ? ""
-                                             : fmt::format("{}: {}", content.part_names.size(),
-                                                           fmt::join(content.part_names, ", ")));
+    std::string names = fmt::format("{}", fmt::join(content.part_names, ", "));
+    if (names.find_first_not_of(", ") == names.npos) names.clear();  // unnamed
+    if (const Index n = n_parts(content); n > 1 || !names.empty())
+        line("parts", fmt::format("{}{}{}", n, names.empty() ? "" : ": ", names));
     line("materials", has_materials(content) ? "yes" : "");
     return text;
 }
@@ -106,7 +109,8 @@ Json attributes_json(const AttributedMesh& content) {
             {"normals", content.normals.values.rows() > 0},
             {"joints", content.skin.weights.size() > 0 ? content.skin.joints.maxCoeff() + 1 : 0},
             {"shapes", shapes},
-            {"parts", content.part_names},
+            {"parts", n_parts(content)},
+            {"part_names", content.part_names},
             {"materials", has_materials(content)}};
 }
 

@@ -65,10 +65,28 @@ void check(const RenderCommand& command, const Figure& figure) {
                                        figure.diagram ? ".png or .svg" : ".png", command.output.string()));
 }
 
+// One color for each vertex, even where its corners differ.
+Points vertex_colors(const AttributedMesh& content) {
+    if (content.colors.empty()) return {};
+    const CornerAttribute& colors = content.colors[0];
+    Points result = Points::Constant(content.mesh.n_vertices(), 3, 0.8);
+    for (Index t = 0; t < content.mesh.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c)
+            if (colors.corners(t, c) >= 0)
+                result.row(content.mesh.triangles(t, c)) = colors.values.row(colors.corners(t, c)).head<3>();
+    return result;
+}
+
 void read(RenderCommand& command, const Figure& figure) {
     RenderRequest& request = command.request;
-    request.source = load_mesh(command.source, request.common);
-    if (!command.target.empty()) request.target = load_mesh(command.target, request.common);
+    AttributedMesh source = load_attributed_mesh(command.source, request.common);
+    request.source_colors = vertex_colors(source);
+    request.source = std::move(source.mesh);
+    if (!command.target.empty()) {
+        AttributedMesh target = load_attributed_mesh(command.target, request.common);
+        request.target_colors = vertex_colors(target);
+        request.target = std::move(target.mesh);
+    }
     for (const std::filesystem::path& file : command.maps) {
         request.maps.push_back(
             load_map(file, {request.source, *request.target, command.source, command.target}));

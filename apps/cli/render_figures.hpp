@@ -26,7 +26,8 @@ struct RenderRequest {
     CommonOptions common;
     TriangleMesh source;
     std::optional<TriangleMesh> target;
-    std::vector<LoadedMap> maps;  ///< target from source
+    Points source_colors, target_colors;  ///< n_vertices x 3, of files that have some; else empty
+    std::vector<LoadedMap> maps;          ///< target from source
     std::vector<std::string> labels;
     std::optional<GroundTruth> truth;
 

@@ -15,8 +15,13 @@ namespace {
 
 Image draw_plain(const RenderRequest& request) {
     Scene scene;
-    for (const PlacedMesh& placed : request.placed())
+    for (const PlacedMesh& placed : request.placed()) {
+        const Points& colors = scene.surfaces.empty() ? request.source_colors : request.target_colors;
         scene.surfaces.push_back(plain_surface(placed.mesh, placed.placement, {0.80, 0.74, 0.66}));
+        if (colors.rows() == 0) continue;
+        scene.surfaces.back().attributes = colors;
+        scene.surfaces.back().color = {};
+    }
     return request.paint(scene);
 }
 
@@ -92,7 +97,9 @@ std::vector<Index> chosen_vertices(const RenderRequest& request) {
 }
 
 std::vector<Figure> mesh_figures() {
-    return {{.name = "plain", .summary = "one or two meshes as they are", .draw = draw_plain},
+    return {{.name = "plain",
+             .summary = "one or two meshes as they are, in the vertex colors of their files",
+             .draw = draw_plain},
             {.name = "bases",
              .summary = "farthest-point samples (--bases, --radius) and their cells",
              .draw = draw_bases},

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "load_map.hpp"
+#include "material_files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -44,6 +45,11 @@ struct TransferKind {
 bool fits_nothing(const std::string& /*ending*/) { return false; }
 bool fits_text(const std::string& ending) { return ending == ".obj" || ending == ".ply"; }
 
+// As an OBJ file does, which leaves the rest to another file.
+bool names_materials(const AttributedMesh& mesh) {
+    return mesh.document == nullptr && !mesh.part_names.empty();
+}
+
 constexpr std::array<TransferKind, 6> transfer_kinds = {{
     {"colors", &TransferOptions::colors, [](const AttributedMesh& mesh) { return !mesh.colors.empty(); },
      fits_text},
@@ -55,7 +61,8 @@ constexpr std::array<TransferKind, 6> transfer_kinds = {{
      [](const AttributedMesh& mesh) { return mesh.skin.weights.size() > 0; }, fits_nothing},
     {"morphs", &TransferOptions::morphs, [](const AttributedMesh& mesh) { return !mesh.morphs.empty(); },
      fits_nothing},
-    {"texture", &TransferOptions::materials, has_materials, fits_nothing},
+    {"texture", &TransferOptions::materials,
+     [](const AttributedMesh& mesh) { return has_materials(mesh) || names_materials(mesh); }, fits_nothing},
 }};
 
 std::string kinds_held(const AttributedMesh& mesh) {
@@ -81,7 +88,8 @@ TransferOptions chosen_options(const TransferCommand& command, const AttributedM
         }
     }
     // Texture coordinates are of no use without their texture.
-    if (options.texture_coordinates && has_materials(source)) options.materials = true;
+    if (options.texture_coordinates && (has_materials(source) || names_materials(source)))
+        options.materials = true;
     return options;
 }
 
@@ -120,12 +128,13 @@ Json counts_of(const TransferredAttribute& attribute) {
 }
 
 // What a format cannot hold is refused if it was asked for, else left out and said.
-void keep_what_fits(const TransferCommand& command, TransferOptions& options) {
+void keep_what_fits(const TransferCommand& command, const AttributedMesh& source, TransferOptions& options) {
     if (is_gltf(command.output)) return;
     const std::string ending = lower_extension(command.output);
     std::vector<std::string> left_out;
     for (const TransferKind& kind : transfer_kinds) {
-        const bool fits = kind.fits(ending);
+        const bool names_only = kind.option == &TransferOptions::materials && names_materials(source);
+        const bool fits = kind.fits(ending) || (names_only && ending == ".obj");
         if (fits || !(options.*kind.option)) continue;
         if (std::count(command.what.begin(), command.what.end(), kind.name) > 0)
             throw InvalidInput(fmt::format("{}: {} can be written only to .glb or .gltf",
@@ -206,7 +215,7 @@ void run(const TransferCommand& command) {
     AttributedMesh target = load_attributed_mesh(command.target, command.common);
     watch.lap("read");
     TransferOptions options = chosen_options(command, source);
-    keep_what_fits(command, options);
+    keep_what_fits(command, source, options);
     Json report = {{"command", "transfer"},
                    {"source", command.source.string()},
                    {"target", command.target.string()},
@@ -220,6 +229,11 @@ void run(const TransferCommand& command) {
     report.update(found.report);
     if (values) transfer_values_file(command, source.mesh, target.mesh, found.map, *values);
     if (transfers_anything(options)) {
+        if (const Index n = n_parts(target); options.skin && n > 1)
+            say(command.common,
+                fmt::format("the {} parts of {} become those of the source, whose skeleton binds "
+                            "them: their names and materials are not kept",
+                            n, command.target.string()));
         TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
         for (const std::string& warning : result.warnings) warn(warning);
@@ -235,6 +249,7 @@ void run(const TransferCommand& command) {
             fmt::format("nothing is transferred; {} has {}", command.source.string(), kinds_held(source)));
     }
     write_attributed_mesh(target, command.output);
+    if (options.materials && names_materials(source)) carry_material_files(command.source, command.output);
     watch.lap("write");
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", target.mesh.n_vertices(),
                                     target.mesh.n_triangles(), command.output.string()));

@@ -65,8 +65,8 @@ Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source) {
     const auto n_doubtful = std::count(marked.begin(), marked.end(), 1);
     const Index n = outcome.target_from_source.source_size(),
                 n_unmatched = n - count_matched(outcome.target_from_source);
-    if (why.empty() && n_unmatched > n / 2)
-        why = fmt::format("{} of {} vertices have no partner", n_unmatched, n);
+    if (n_unmatched > n / 2)
+        why += fmt::format("{}{} of {} vertices have no partner", why.empty() ? "" : "; ", n_unmatched, n);
     const double share = static_cast<double>(n_doubtful) / static_cast<double>(marked.size());
     constexpr double nearly_all = 0.9;     // then no place says more than another
     constexpr double least_share = 0.005;  // that is not 0 % when rounded

@@ -108,10 +108,12 @@ std::string summarize(MeshView source, MeshView target, const MeshDifferences& d
         return "the two meshes share no part that chance would not explain: they do not come from one mesh";
     return fmt::format(
         "{} of {} source triangles and {} of {} target triangles have a counterpart, {} source vertices of "
-        "{} are matched ({} uncertain); {} places differ{}{}",
+        "{} are matched ({} uncertain); {}{}{}",
         differences.n_matched_triangles, source.n_triangles(), differences.n_matched_triangles,
         target.n_triangles(), count_matched(differences.target_from_source), source.n_vertices(),
-        differences.uncertain.size(), differences.edits.size(),
+        differences.uncertain.size(),
+        differences.edits.size() == 1 ? "1 place differs"
+                                      : fmt::format("{} places differ", differences.edits.size()),
         differences.winding_reversed ? "; the target's winding is reversed" : "",
         differences.is_ambiguous
             ? "; the meshes are so regular that another way to match them fits nearly as well"

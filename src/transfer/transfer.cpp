@@ -63,7 +63,8 @@ struct Transfer {
     void morphs() {
         TransferredMorphTargets transferred =
             transfer_morph_targets(map, source.mesh, result.content.mesh, source.morphs);
-        result.attributes.push_back({.name = fmt::format("{} morph targets", source.morphs.size()),
+        result.attributes.push_back({.name = fmt::format("{} morph target{}", source.morphs.size(),
+                                                         source.morphs.size() == 1 ? "" : "s"),
                                      .coverage = transferred.coverage});
         result.content.morphs = std::move(transferred.morphs);
     }

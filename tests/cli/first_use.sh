@@ -116,6 +116,9 @@ run inspect fine.obj open.obj
 grep -q "(1 boundary loop).*match --method partial' is for" out || { cat out; fail "holes, but no word of the method for them"; }
 run match open.obj fine.obj --method partial --part source -o x.txt
 says "the source is taken for a part of the target; .* of the source's area"
+awk '$1 == "f" && ++n > 400 {next} {print}' fine.obj > piece.obj
+run match fine.obj piece.obj --method partial --part target --same-scale -o x.txt
+grep -qE '^(check|do not use): .*[0-9]+ of [0-9]+ vertices have no partner' err || { cat err; fail "most of the map is -1, unsaid"; }
 
 # ---- what a file holds ----
 run inspect x.glb
@@ -123,3 +126,38 @@ grep -q "^shapes      1: large" out || { cat out; fail "inspect does not name th
 for command in match view inspect convert; do
   "$program" $command --help | grep -q "^Mesh files are read from" || fail "$command --help has no list of endings"
 done
+
+# ---- the materials of an OBJ file ----
+mkdir written model
+printf 'newmtl skin\nKd 1 0 0\nnewmtl cloth\nKd 0 0 1\n' > model/body.mtl
+python3 - << 'END'
+lines = open("a.obj").read().splitlines()
+n = sum(line.startswith("f ") for line in lines)
+seen, text = 0, ["mtllib body.mtl"]
+for line in lines:
+    if line.startswith("f "):
+        if seen in (0, n // 2): text.append("usemtl " + ("cloth" if seen else "skin"))
+        seen += 1
+    text.append(line)
+open("model/dressed.obj", "w").write("\n".join(text) + "\n")
+END
+run convert model/dressed.obj written/copy.obj
+run transfer model/dressed.obj b.obj --map map.txt -o written/carried.obj
+for file in copy carried; do
+  grep -qx "mtllib ../model/body.mtl" written/$file.obj || { head -3 written/$file.obj; fail "$file.obj names no material file"; }
+  grep -qx "usemtl skin" written/$file.obj && grep -qx "usemtl cloth" written/$file.obj || fail "$file.obj names no materials"
+done
+run inspect written/carried.obj
+grep -qE "^parts       2: (skin, cloth|cloth, skin)" out || { cat out; fail "inspect does not name the materials"; }
+
+# ---- what a long run will cost is said before; this one is refused after that ----
+{ seq 100000 | awk '{print "v", $1, 0, 0}'; echo "v 0 1 0"; echo "f 1 2 100001"; } > many.obj
+refuse 1 "at least 50 vertices" match many.obj many.obj --method partial -o none.txt
+says "^about 23 s and 0.8 GB of memory are to be expected from 'partial'"
+
+# ---- a picture in the colors of the file ----
+run fit a.obj b.obj --color -o colored.ply -q
+run convert colored.ply gray.off -q
+run render colored.ply -o colored.png --size 96x96
+run render gray.off -o gray.png --size 96x96
+! cmp -s colored.png gray.png || fail "render leaves the vertex colors out"

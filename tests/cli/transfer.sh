@@ -201,6 +201,8 @@ for p, name in zip(primitives, names):
     assert all((u[i][0] < 0.5) == (name == "front") for i, in glb.rows(p["indices"])), name
 END
 done
+run transfer character.glb two.glb --what weights -o bound_parts.glb
+says "the 2 parts of two.glb become those of the source"
 run transfer static.glb character.glb --inverse again.txt --what texture -o clothed.glb
 run transfer character.glb static.glb --map again.txt --what weights -o bound.glb
 run transfer character.glb copy.glb --map map.txt --what weights -o gray.glb

@@ -27,7 +27,8 @@ double log10_factorial(std::size_t n) {
 std::string to_string(const Count& count) {
     const std::string bound = count.is_lower_bound ? "at least " : "";
     if (count.number) return bound + std::to_string(*count.number);
-    return fmt::format("{}{}10^{:.1f}", bound, bound.empty() ? "about " : "", count.log10);
+    return count.is_lower_bound ? fmt::format("{}10^{:.0f}", bound, std::floor(count.log10))
+                                : fmt::format("about 10^{:.0f}", count.log10);
 }
 
 }  // namespace counterpart

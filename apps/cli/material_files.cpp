@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "material_files.hpp"
+
+#include <counterpart/io/file.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace counterpart::cli {
+
+namespace fs = std::filesystem;
+
+Index n_parts(const AttributedMesh& content) {
+    return content.parts.empty() ? 1 : *std::max_element(content.parts.begin(), content.parts.end()) + 1;
+}
+
+void carry_material_files(const fs::path& from, const fs::path& to) {
+    if (lower_extension(from) != ".obj" || lower_extension(to) != ".obj" || !fs::is_regular_file(to)) return;
+    const fs::path folder = fs::absolute(to).parent_path();
+    std::istringstream lines(read_whole_file(from));
+    std::string carried;
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("mtllib ")) continue;
+        const std::size_t last = line.find_last_not_of(" \t\r");
+        const fs::path name = line.substr(7, last - 6);
+        const fs::path file = fs::absolute(from).parent_path() / name;  // an absolute name stays
+        carried += "mtllib " + (name.is_absolute() ? name : file.lexically_proximate(folder)).string() + "\n";
+    }
+    if (!carried.empty()) write_file(carried + read_whole_file(to), to);
+}
+
+}  // namespace counterpart::cli
