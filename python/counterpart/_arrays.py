@@ -33,9 +33,14 @@ def _laid_out(array: npt.NDArray[Any], dtype: Any, order: Literal["C", "F"] = "C
     return array if array.flags.aligned else array.copy(order)
 
 
+def real_numbers(values: Any, what: str) -> npt.NDArray[Any]:
+    """``values`` as an array of any shape and layout."""
+    return _array(values, what, "fiu", "real numbers")
+
+
 def floats(values: Any, what: str, shape: tuple[int, ...], order: Literal["C", "F"] = "C") -> FloatArray:
     """``values`` as contiguous float64 of the shape, in which -1 stands for any length."""
-    array = _array(values, what, "fiu", "real numbers")
+    array = real_numbers(values, what)
     _require_shape(array, what, shape)
     with np.errstate(over="ignore"):
         return _laid_out(array, np.float64, order)

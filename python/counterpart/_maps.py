@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers
+from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._calls import ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._meshes import MeshLike, core_mesh
@@ -200,7 +200,7 @@ def transfer_values(
     ndarray, (n_target,) or (n_target, k)
         NaN where the target has no counterpart.
     """
-    array = np.asarray(values)
+    array = real_numbers(values, "values")
     columns = floats(array[:, None] if array.ndim == 1 else array, "values", (-1, -1))
     source, target = core_mesh(source), core_mesh(target)
     if len(columns) != source.n_vertices:
@@ -263,7 +263,7 @@ class Evaluation(Result):
 def truth_pairs(truth: Any, source: _core.Mesh) -> IntArray:
     """Pairs (source vertex, target vertex) from a map with -1 for unknown, or pairs."""
     value = _opened(truth)
-    array = np.asarray(value)
+    array = real_numbers(value, "truth")
     if array.ndim == 2:
         return integers(array, "truth", (-1, 2))
     image = _checked(integers(array, "truth", (-1,)), source)

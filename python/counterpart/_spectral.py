@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers
+from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._calls import ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, vertex_map_of
@@ -188,7 +188,7 @@ def distances(
     core = core_mesh(mesh)
     if sources is None:
         sources = np.arange(core.n_vertices, dtype=np.int32)
-    rows = integers(np.atleast_1d(np.asarray(sources)), "sources", (-1,))
+    rows = integers(np.atleast_1d(real_numbers(sources, "sources")), "sources", (-1,))
     bad = np.flatnonzero((rows < 0) | (rows >= core.n_vertices))
     if len(bad):
         raise InvalidInput(f"source {bad[0]} is vertex {rows[bad[0]]}, but the mesh has {core.n_vertices} vertices")

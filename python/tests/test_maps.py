@@ -47,6 +47,8 @@ def test_transfer_values(pair):
     assert counterpart.transfer_values(source, target, truth, source.vertices).shape == (target.n_vertices, 3)
     with pytest.raises(counterpart.InvalidInput):
         counterpart.transfer_values(source, target, truth, values[1:])
+    with pytest.raises(counterpart.InvalidInput, match="values: not an array"):
+        counterpart.transfer_values(source, target, truth, [[1], [2, 3]])
 
 
 def test_functional_maps(pair):
@@ -84,6 +86,8 @@ def test_distances():
     assert counterpart.distances(mesh).shape == (mesh.n_vertices, mesh.n_vertices)
     with pytest.raises(counterpart.InvalidInput, match="source 1"):
         counterpart.distances(mesh, [0, mesh.n_vertices])
+    with pytest.raises(counterpart.InvalidInput, match="sources: not an array"):
+        counterpart.distances(mesh, [[0], [1, 2]])
 
 
 def test_align(body):

@@ -29,7 +29,8 @@ void require_whole(const VertexMap& map, const EigenBasis& from, const EigenBasi
 std::vector<int> sizes(const ZoomOutOptions& options, int most) {
     const int last = std::min(options.last, most);
     std::vector<int> result;
-    for (int k = std::min(options.first, last); k < last; k += options.step) result.push_back(k);
+    for (int k = std::min(options.first, last); k < last; k += std::min(options.step, last - k))
+        result.push_back(k);
     result.push_back(last);
     return result;
 }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -73,6 +74,16 @@ TEST(ZoomOut, RefusesWhatDoesNotFit) {
     EXPECT_THROW(run(pair.truth, {.first = 50, .last = 40}), InvalidInput);
     EXPECT_THROW(run(pair.truth, {.step = 0}), InvalidInput);
     EXPECT_THROW(run(test::with_image(pair.truth, 7, VertexMap::unmatched), {}), InvalidInput);
+}
+
+TEST(ZoomOut, AStepBeyondTheLastSizeLeadsThere) {
+    const BentPair pair;
+    const auto with_step = [&](int step) {
+        return zoom_out(pair.truth, pair.source_basis, pair.target_basis,
+                        {.first = 20, .last = 30, .step = step});
+    };
+    EXPECT_EQ(with_step(std::numeric_limits<int>::max()).target_from_source.image(),
+              with_step(10).target_from_source.image());
 }
 
 TEST(ZoomOut, EveryVariantImprovesANoisyMap) {
