@@ -62,10 +62,11 @@ void run(const BlendshapesCommand& command) {
         base.morphs.push_back({name, moved});
         const double largest = moved.rowwise().norm().maxCoeff();
         say(command.common,
-            fmt::format("{}: moves vertices by up to {:.4g}{}", name, largest,
+            fmt::format("{}: moves vertices by up to {:.4g}{}{}", name, largest,
                         pose.n_followers > 0
                             ? fmt::format("; {} unmatched vertices follow their neighbors", pose.n_followers)
-                            : ""));
+                            : "",
+                        caution(found.report)));
         Json entry = {{"name", name},
                       {"file", file.string()},
                       {"largest_displacement", largest},

@@ -87,8 +87,9 @@ void run(const FitCommand& command) {
                     "follow their neighbors",
                     100 * fit.folded_edges, 100 * fit.own_folded_edges, fit.n_free, model.mesh.n_vertices()));
     if (command.color) say(command.common, fmt::format("colors: pale 0 to dark {:.3g} mesh units", largest));
-    say(command.common, fmt::format("fitted {} vertices in {:.2f} s -> {}", model.mesh.n_vertices(),
-                                    watch.stages()[2].seconds, command.output.string()));
+    say(command.common,
+        fmt::format("fitted {} vertices in {:.2f} s -> {}{}", model.mesh.n_vertices(),
+                    watch.stages()[2].seconds, command.output.string(), caution(found.report)));
     Json report = {{"command", "fit"},
                    {"template", command.model.string()},
                    {"scan", command.scan.string()},

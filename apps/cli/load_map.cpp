@@ -56,6 +56,10 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& p
     return map.points ? std::move(*map.points) : between_vertices(map.vertices, pair, options, extend);
 }
 
+std::string caution(const Json& report) {
+    return report.value("verdict", "") == "do not use" ? " (by a map that is not to be used: see above)" : "";
+}
+
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
     if (landmarks.size() < 3 && pair.source.n_vertices() == pair.target.n_vertices() &&
         pair.source.triangles == pair.target.triangles) {

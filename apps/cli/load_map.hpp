@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,9 @@ struct FoundMap {
     Map map;
     Json report = Json::object();
 };
+
+/// For the last line that a command says: nothing, or that the map it found by itself is not to be used.
+std::string caution(const Json& report);
 
 /// Where no map is given: vertex i to vertex i if the meshes have the same triangles, else match(). Says
 /// which, the verdict, and what is doubtful.

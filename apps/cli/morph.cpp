@@ -148,9 +148,10 @@ void run(const MorphCommand& command) {
     const Json rows = measured(first, pose, frames);
     say(command.common, "as rigid as possible: " + worst_of(rows, ""));
     say(command.common, "linear blending:      " + worst_of(rows, "linear_"));
-    say(command.common, fmt::format("{} and the two key frames in {:.2f} s -> {}",
-                                    counted(static_cast<Index>(frames.size()), "in-between"),
-                                    watch.stages()[1].seconds, command.output.string()));
+    say(command.common,
+        fmt::format("{} and the two key frames in {:.2f} s -> {}{}",
+                    counted(static_cast<Index>(frames.size()), "in-between"), watch.stages()[1].seconds,
+                    command.output.string(), caution(found.report)));
     Json report = {{"command", "morph"},
                    {"first", command.first.string()},
                    {"last", command.last.string()},

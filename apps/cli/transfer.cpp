@@ -251,8 +251,9 @@ void run(const TransferCommand& command) {
     write_attributed_mesh(target, command.output);
     if (options.materials && names_materials(source)) carry_material_files(command.source, command.output);
     watch.lap("write");
-    say(command.common, fmt::format("{} vertices, {} triangles -> {}", target.mesh.n_vertices(),
-                                    target.mesh.n_triangles(), command.output.string()));
+    say(command.common,
+        fmt::format("{} vertices, {} triangles -> {}{}", target.mesh.n_vertices(), target.mesh.n_triangles(),
+                    command.output.string(), caution(found.report)));
     report["seconds"] = to_json(watch.stages());
     write_report(report, command.common);
 }

@@ -52,6 +52,24 @@ done
 run fit fine.obj a.obj -o x.obj --report r.json
 grep -qE '^(use|check: .*|do not use: .*)$' err && grep -q '"verdict_reason"' r.json || { cat err; fail "fit says no verdict"; }
 
+# A torus is no figure: also the last line says so.
+python3 - << 'END'
+from math import cos, sin, pi
+n, m = 20, 10
+at = lambda i, j: i % n * m + j % m + 1
+with open("torus.obj", "w") as out:
+    for i in range(n):
+        for j in range(m):
+            r = 3 + cos(2 * pi * j / m)
+            out.write("v %g %g %g\n" % (r * cos(2 * pi * i / n), r * sin(2 * pi * i / n), sin(2 * pi * j / m)))
+    for i in range(n):
+        for j in range(m):
+            out.write("f %d %d %d\nf %d %d %d\n" % (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)))
+END
+run fit a.obj torus.obj -o x.obj --report r.json
+grep -q '^do not use: ' err && grep -q '"verdict": "do not use"' r.json || { cat err; fail "a figure fitted to a torus is not doubted"; }
+tail -1 err | grep -q "by a map that is not to be used" || { cat err; fail "a fit by a useless map ends like a success"; }
+
 # ---- a blend shape in another scale ----
 run blendshapes a.obj b.obj -o x.glb
 ! grep -q "^warning" err || { cat err; fail "a warning without a reason"; }
