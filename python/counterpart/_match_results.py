@@ -42,6 +42,7 @@ class ExactResult(Result):
     reversed_triangles: int
     winding_reversed: bool
     mirrored: bool
+    """The target is a mirror image of the source."""
     alternatives: list[IntArray]
     """The other matches of a symmetric mesh, best first."""
     notices: list[str]
