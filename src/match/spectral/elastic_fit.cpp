@@ -22,6 +22,10 @@ struct ElasticFit::System {
     align::ScaleBounds bounds;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
     std::vector<align::LocalSimilarity> similarities;  // of the last positions: those of the next are near
+    Eigen::MatrixXd pulled;                            // the pull's part of the right side
+
+    void pull(PointsView towards, double stiffness_length, const Vector& trust);
+    Points solved() const;
 };
 
 ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning)
@@ -36,26 +40,42 @@ ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const 
 
 ElasticFit::~ElasticFit() = default;
 
+void ElasticFit::System::pull(PointsView towards, double stiffness_length, const Vector& trust) {
+    Vector weight = mass / (stiffness_length * stiffness_length);
+    if (trust.size() > 0) weight.array() *= trust.array();
+    SparseMatrix sum = stiffness;
+    for (Eigen::Index v = 0; v < weight.size(); ++v) sum.coeffRef(v, v) += weight[v];
+    factor.factorize(sum);
+    if (factor.info() != Eigen::Success) throw NumericalError("the elastic system cannot be factorized");
+    pulled = weight.asDiagonal() * towards;
+}
+
+Points ElasticFit::System::solved() const {
+    const Eigen::MatrixXd right = pulled + align::moved_differences(stiffness, rest, similarities);
+    return factor.solve(right);
+}
+
 Points ElasticFit::operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
                               const ProgressRange& progress, const Vector& trust) {
-    Vector pull = system_->mass / (stiffness_length * stiffness_length);
-    if (trust.size() > 0) pull.array() *= trust.array();
-    SparseMatrix sum = system_->stiffness;
-    for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
-    system_->factor.factorize(sum);
-    if (system_->factor.info() != Eigen::Success)
-        throw NumericalError("the elastic system cannot be factorized");
+    system_->pull(towards, stiffness_length, trust);
     Points now = start;
-    const Eigen::MatrixXd pulled = pull.asDiagonal() * towards;
     for (int i = 0; i < n_iterations; ++i) {
         progress.check();
         system_->similarities = align::local_similarities(system_->stiffness, system_->rest, now,
                                                           system_->bounds, std::move(system_->similarities));
-        const Eigen::MatrixXd right =
-            pulled + align::moved_differences(system_->stiffness, system_->rest, system_->similarities);
-        now = system_->factor.solve(right);
+        now = system_->solved();
     }
     return now;
+}
+
+Points ElasticFit::carried(PointsView towards, const std::vector<char>& spoiled, double stiffness_length) {
+    Vector trust(towards.rows());
+    for (Eigen::Index v = 0; v < trust.size(); ++v) trust[v] = spoiled[static_cast<std::size_t>(v)] ? 0 : 1;
+    system_->pull(towards, stiffness_length, trust);
+    system_->similarities =
+        align::local_similarities(system_->stiffness, system_->rest, towards, system_->bounds);
+    align::continue_inward(system_->stiffness, spoiled, system_->similarities);
+    return system_->solved();
 }
 
 double ElasticFit::strain(PointsView now) const {

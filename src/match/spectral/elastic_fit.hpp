@@ -8,6 +8,7 @@
 #include <counterpart/spectral/laplacian.hpp>
 
 #include <memory>
+#include <vector>
 
 namespace counterpart::spectral_match {
 
@@ -26,6 +27,11 @@ class ElasticFit {
     /// saves time where its positions were near.
     Points operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
                       const ProgressRange& progress = {}, const Vector& trust = {});
+
+    /// Where the surface that lies at `towards` carries its `spoiled` vertices, which pull at nothing
+    /// themselves: their neighborhoods are turned as those around them. A start for the next call, which
+    /// follows these rotations.
+    Points carried(PointsView towards, const std::vector<char>& spoiled, double stiffness_length);
 
     /// What the best similarity of each neighborhood leaves of `now`, relative to its size: 0 = a similarity
     /// everywhere, at most 1.

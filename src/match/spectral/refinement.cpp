@@ -4,7 +4,9 @@
 
 #include "base/parallel.hpp"
 #include "match/spectral/elastic_fit.hpp"
+#include "match/spectral/islands.hpp"
 #include "match/spectral/restricted_nearest.hpp"
+#include "numerics/oriented_neighbors.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -55,19 +57,33 @@ class BentSurface {
           fit_(shape.mesh.vertices, with_pins(shape.laplacian, pinned, tuning.pin_mass), tuning) {}
 
     void bend(const std::vector<Index>& image, double stiffness_length, const ProgressRange& progress) {
-        Points images(shape_.mesh.vertices.rows(), 3);
-        for (std::size_t v = 0; v < image.size(); ++v)
-            images.row(static_cast<Eigen::Index>(v)) = other_.mesh.vertices.row(image[v]);
+        const Points images = other_.mesh.vertices(image, Eigen::all);
         const Points start = positions_.rows() > 0 ? positions_ : images;
         positions_ = fit_(images, start, stiffness_length, tuning_.n_iterations, progress);
     }
 
-    MatrixF placement() const {
-        const Points normals = vertex_normals({positions_, shape_.mesh.triangles});
-        return spectral_match::placement(positions_, normals, tuning_);
+    // Islands go where the surface around them carries them.
+    void put_back_islands(std::vector<Index>& image, double stiffness_length, const ProgressRange& progress) {
+        const Islands islands = find_islands(shape_, other_, image, tuning_.islands);
+        if (islands.empty) return;
+        progress.check();
+        const Points images = other_.mesh.vertices(image, Eigen::all);
+        positions_ = fit_.carried(images, islands.spoiled, stiffness_length);
+        const Points bent_normals = normals();
+        const numerics::OrientedNeighbors on_other(other_.mesh.vertices, other_.normals,
+                                                   tuning_.normal_weight / tuning_.position_weight);
+        for (std::size_t v = 0; v < image.size(); ++v) {
+            const auto row = static_cast<Eigen::Index>(v);
+            if (islands.inside[v] != 0)
+                image[v] = on_other.closest(positions_.row(row), bent_normals.row(row));
+        }
     }
 
+    MatrixF placement() const { return spectral_match::placement(positions_, normals(), tuning_); }
+
   private:
+    Points normals() const { return vertex_normals({positions_, shape_.mesh.triangles}); }
+
     const PreparedShape& shape_;
     const PreparedShape& other_;
     const RefinementTuning& tuning_;
@@ -112,6 +128,9 @@ PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidat
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
         const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);
         const int k = tuning.first_size + static_cast<int>(t * (tuning.last_size - tuning.first_size));
+        if (2 * round == n_rounds)
+            parallel_invoke([&] { bent_a.put_back_islands(maps.b_from_a, length, progress); },
+                            [&] { bent_b.put_back_islands(maps.a_from_b, length, progress); });
         parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
                         [&] { bent_b.bend(maps.a_from_b, length, progress); });
         const PairedFunctionalMaps functional =

@@ -149,6 +149,12 @@ struct SelectionTuning {
     Distinctness distinct_finalists{.mean = 0.05, .moved_share = 0.05};
 };
 
+/// Patches that a map takes elsewhere than all that is around them.
+struct IslandTuning {
+    double gap = 0.04;       ///< an edge is torn if its ends go farther apart than they are by so much
+    double max_share = 0.1;  ///< of the area
+};
+
 /// Stage 5, refinement on all vertices. Weights are relative to the spectral coordinates. The rounds go from
 /// few functions and stiff surfaces to many functions and pliable ones.
 struct RefinementTuning {
@@ -164,6 +170,7 @@ struct RefinementTuning {
     int n_iterations = 16;                  ///< of an elastic fit
     double pin_mass = 0.005;         ///< share of the area that a pinned vertex pulls like, in the fits
     int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
+    IslandTuning islands{};          ///< put back after half of the rounds
     int n_rounds = 8;                ///< 0 = spectral coordinates and features alone
     Index huge_mesh = 60000;         ///< above this many vertices there are fewer rounds
     int n_rounds_if_huge = 2;

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/islands.hpp"
+
+#include <counterpart/mesh/adjacency.hpp>
+
+#include <algorithm>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// Parts of the surface between which every edge is torn.
+struct Parts {
+    std::vector<Index> of_vertex;
+    std::vector<double> area;
+    std::vector<char> has_tear;
+};
+
+template <class IsTorn>
+Parts parts_between_tears(const Adjacency& adjacency, const Vector& mass, const IsTorn& is_torn) {
+    Parts parts{std::vector<Index>(at(adjacency.n_vertices()), -1), {}, {}};
+    std::vector<Index> open;
+    for (Index first = 0; first < adjacency.n_vertices(); ++first) {
+        if (parts.of_vertex[at(first)] >= 0) continue;
+        const auto part = static_cast<Index>(parts.area.size());
+        parts.area.push_back(0);
+        parts.has_tear.push_back(0);
+        parts.of_vertex[at(first)] = part;
+        for (open.push_back(first); !open.empty();) {
+            const Index v = open.back();
+            open.pop_back();
+            parts.area.back() += mass[v];
+            for (const Index w : adjacency.neighbors(v)) {
+                if (is_torn(v, w)) {
+                    parts.has_tear.back() = 1;
+                } else if (parts.of_vertex[at(w)] < 0) {
+                    parts.of_vertex[at(w)] = part;
+                    open.push_back(w);
+                }
+            }
+        }
+    }
+    return parts;
+}
+
+}  // namespace
+
+Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
+                     const IslandTuning& tuning) {
+    const Adjacency adjacency(a.mesh);
+    const auto is_torn = [&](Index v, Index w) {
+        const double before = (a.mesh.vertices.row(v) - a.mesh.vertices.row(w)).norm();
+        return (b.mesh.vertices.row(b_from_a[at(v)]) - b.mesh.vertices.row(b_from_a[at(w)])).norm() >
+               before + tuning.gap;
+    };
+    const Parts parts = parts_between_tears(adjacency, a.basis.mass, is_torn);
+    const double most = tuning.max_share * a.basis.mass.sum();
+    Islands islands{std::vector<char>(at(a.mesh.n_vertices()), 0), {}, true};
+    for (std::size_t v = 0; v < islands.inside.size(); ++v) {
+        const auto part = static_cast<std::size_t>(parts.of_vertex[v]);
+        islands.inside[v] = parts.has_tear[part] != 0 && parts.area[part] <= most ? 1 : 0;
+        islands.empty = islands.empty && islands.inside[v] == 0;
+    }
+    islands.spoiled = islands.inside;
+    for (Index v = 0; v < a.mesh.n_vertices(); ++v)
+        if (islands.inside[at(v)] != 0)
+            for (const Index w : adjacency.neighbors(v)) islands.spoiled[at(w)] = 1;
+    return islands;
+}
+
+}  // namespace counterpart::spectral_match

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/spectral/prepared_shape.hpp"
+
+#include <vector>
+
+namespace counterpart::spectral_match {
+
+/// What a map takes elsewhere than its surroundings.
+struct Islands {
+    std::vector<char> inside;   ///< per vertex of A: 1 in a patch that is torn off all around
+    std::vector<char> spoiled;  ///< per vertex of A: 1 there and at the near side of the tears
+    bool empty = true;
+};
+
+/// Patches of A of at most `max_share` of its area that a map separates from all that they are connected to
+/// on A: every edge out of them is torn, that is its ends go farther apart than they are by `gap`. Two ears
+/// that are exchanged are such patches; each fits where it is, and so nothing near it looks wrong. O(V).
+Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
+                     const IslandTuning& tuning);
+
+}  // namespace counterpart::spectral_match

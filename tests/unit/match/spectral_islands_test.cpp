@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/elastic_fit.hpp"
+#include "match/spectral/islands.hpp"
+#include "match/spectral/refinement.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// An egg with a ridge, 1.4 times as long as wide.
+TriangleMesh egg() {
+    TriangleMesh mesh = make_icosphere(4);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        auto row = mesh.vertices.row(v);
+        row *= 1 + 0.15 * std::exp(-20 * (row[0] - 0.3) * (row[0] - 0.3)) * (row[2] > 0 ? row[2] : 0);
+        row[0] *= 1.4;
+    }
+    return mesh;
+}
+
+class SpectralIslands : public testing::Test {
+  protected:
+    const PreparedShape shape = prepare(egg(), {.n_functions = 100, .n_samples = 400});
+    const PointsView x{shape.mesh.vertices};
+
+    std::vector<Index> identity() const {
+        std::vector<Index> map(at(shape.mesh.n_vertices()));
+        std::iota(map.begin(), map.end(), 0);
+        return map;
+    }
+    Index nearest(const Eigen::RowVector3d& point) const {
+        Eigen::Index result = 0;
+        (x.rowwise() - point).rowwise().squaredNorm().minCoeff(&result);
+        return static_cast<Index>(result);
+    }
+    // Whether a vertex is within `radius` of one of the two ends of the y axis.
+    bool is_ear(Index v, double radius) const {
+        const double end = x.col(1).maxCoeff();
+        return (x.row(v) - Eigen::RowVector3d(x(nearest({0, end, 0}), 0), std::copysign(end, x(v, 1)), 0))
+                   .norm() < radius;
+    }
+    // The identity, but the two ears are exchanged, by a half-turn about the x axis.
+    std::vector<Index> with_ears_exchanged(double radius) const {
+        std::vector<Index> map = identity();
+        for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+            if (is_ear(v, radius)) map[at(v)] = nearest({x(v, 0), -x(v, 1), -x(v, 2)});
+        return map;
+    }
+    double largest_error(const std::vector<Index>& map) const {
+        return (x(map, Eigen::all) - x).rowwise().norm().maxCoeff();
+    }
+};
+
+TEST_F(SpectralIslands, ArePatchesTornOffAllAround) {
+    const Islands islands = find_islands(shape, shape, with_ears_exchanged(0.12), {});
+    EXPECT_FALSE(islands.empty);
+    int n_inside = 0, n_spoiled = 0;
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v) {
+        EXPECT_EQ(islands.inside[at(v)] != 0, is_ear(v, 0.12)) << v;
+        n_inside += islands.inside[at(v)];
+        n_spoiled += islands.spoiled[at(v)];
+        EXPECT_LE(islands.inside[at(v)], islands.spoiled[at(v)]);
+    }
+    EXPECT_GT(n_inside, 50);
+    EXPECT_GT(n_spoiled, n_inside);
+}
+
+TEST_F(SpectralIslands, AreNotThere) {
+    EXPECT_TRUE(find_islands(shape, shape, identity(), {}).empty);
+    // Turned half round as a whole.
+    std::vector<Index> turned;
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+        turned.push_back(nearest({x(v, 0), -x(v, 1), -x(v, 2)}));
+    EXPECT_TRUE(find_islands(shape, shape, turned, {}).empty);
+    // More of the surface than a patch.
+    EXPECT_TRUE(find_islands(shape, shape, with_ears_exchanged(0.12), {.max_share = 0.01}).empty);
+    // A tear that does not go all around.
+    std::vector<Index> slit = identity();
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+        if (is_ear(v, 0.12) && x(v, 2) > 0)
+            slit[at(v)] = nearest(x.row(v) + 0.6 * x(v, 2) * Eigen::RowVector3d(1, 0, 0));
+    EXPECT_TRUE(find_islands(shape, shape, slit, {}).empty);
+}
+
+TEST_F(SpectralIslands, AreCarriedByWhatIsAroundThem) {
+    const std::vector<Index> map = with_ears_exchanged(0.12);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 2).normalized()).toRotationMatrix();
+    const Points turned = x * turn.transpose(), images = turned(map, Eigen::all);
+    const Islands islands = find_islands(shape, shape, map, {});
+    ElasticFit fit(x, shape.laplacian);
+    EXPECT_LT((fit.carried(images, islands.spoiled, 0.1) - turned).rowwise().norm().maxCoeff(), 1e-6);
+}
+
+TEST_F(SpectralIslands, RefinementPutsThemBack) {
+    std::vector<Index> of_samples;
+    for (const Index s : shape.samples) {
+        const Index v = is_ear(s, 0.14) ? nearest({x(s, 0), -x(s, 1), -x(s, 2)}) : s;
+        of_samples.push_back(shape.cell_of_vertex[at(v)]);
+    }
+    Candidate start;
+    start.maps = {of_samples, of_samples};
+    RefinementTuning tuning;
+    const PairedMaps found = refine(shape, shape, start, {}, tuning);
+    EXPECT_LT(largest_error(found.b_from_a), 0.03);
+    EXPECT_LT(largest_error(found.a_from_b), 0.03);
+    tuning.islands.max_share = 0;  // nothing else does
+    EXPECT_GT(largest_error(refine(shape, shape, start, {}, tuning).b_from_a), 0.2);
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
