@@ -70,9 +70,7 @@ SpectralShape::SpectralShape(MeshView mesh, const SpectralShapeOptions& options)
     });
 }
 
-Index SpectralShape::n_vertices() const {
-    return static_cast<Index>(shape_->origin.matched_of_input.size());
-}
+Index SpectralShape::n_vertices() const { return static_cast<Index>(shape_->origin.matched_of_input.size()); }
 
 std::string SpectralShape::to_bytes() const { return spectral_match::to_bytes(*shape_); }
 

@@ -128,7 +128,7 @@ PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidat
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
         const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);
         const int k = tuning.first_size + static_cast<int>(t * (tuning.last_size - tuning.first_size));
-        if (2 * round == n_rounds)
+        if (round >= tuning.islands.first_round)
             parallel_invoke([&] { bent_a.put_back_islands(maps.b_from_a, length, progress); },
                             [&] { bent_b.put_back_islands(maps.a_from_b, length, progress); });
         parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },

@@ -57,7 +57,7 @@ TEST(TransferAttributes, EverythingComesBackFromAShuffledCopy) {
         EXPECT_EQ(one.moved_vertices, 0);
     }
     EXPECT_EQ(names, (std::vector<std::string>{"texture coordinates 0", "texture coordinates 1", "colors",
-                                               "skin weights", "1 morph targets", "normals"}));
+                                               "skin weights", "1 morph target", "normals"}));
     const AttributedMesh& content = result.content;
     EXPECT_EQ(content.mesh.vertices, copy.mesh.vertices);
     EXPECT_EQ(content.mesh.triangles, copy.mesh.triangles);
