@@ -9,6 +9,7 @@
 namespace counterpart::numerics {
 
 FittedRotation fit_rotation(const Eigen::Matrix3d& covariance) {
+    if (!covariance.allFinite()) return {};  // Eigen would leave its matrices unset
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d signs = Eigen::Matrix3d::Identity();
     signs(2, 2) = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;

@@ -9,6 +9,7 @@ namespace counterpart::numerics {
 
 /// The rotation R (determinant +1) that maximizes trace(R^T M): for M = sum of y x^T the one that best
 /// rotates the vectors x onto the vectors y (Kabsch 1976). It is fully determined if `rank` is 2 or 3.
+/// Where numbers are not finite, the identity, of rank 0.
 struct FittedRotation {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     int rank = 0;  ///< singular values above 1e-9 of the largest

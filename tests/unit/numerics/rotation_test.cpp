@@ -4,6 +4,8 @@
 
 #include <counterpart/base/random.hpp>
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -22,6 +24,16 @@ Eigen::Quaterniond random_rotation(Random& random) {
 // What a rotation is to make large.
 double agreement(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& rotation) {
     return covariance.cwiseProduct(rotation).sum();
+}
+
+TEST(FitRotation, IsTheIdentityWhereNumbersAreNotFinite) {
+    for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
+        covariance(1, 2) = bad;
+        const FittedRotation fitted = fit_rotation(covariance);
+        EXPECT_EQ(fitted.rotation, Eigen::Matrix3d::Identity());
+        EXPECT_EQ(fitted.rank, 0);
+    }
 }
 
 // A call makes a limited number of steps, which now and then is too few for a start far away.
