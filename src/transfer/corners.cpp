@@ -46,6 +46,8 @@ Crossing find_crossing(const attributes::CutSurface& surface, const SurfacePoint
         const std::vector<Index> side_b = surface.reach(around_b, middle, radius, Seams::block);
         const numerics::ClosestPoint to_a = surface.closest_among(side_b, from);
         const numerics::ClosestPoint to_b = surface.closest_among(side_a, to);
+        if (!std::isfinite(to_a.squared_distance) || !std::isfinite(to_b.squared_distance))
+            return none;  // too far away to be measured
         return {true,
                 {SurfacePoint{to_a.triangle, to_a.weights}, SurfacePoint{to_b.triangle, to_b.weights}},
                 {std::sqrt(to_a.squared_distance), std::sqrt(to_b.squared_distance)}};

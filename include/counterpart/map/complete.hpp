@@ -22,7 +22,7 @@ struct CompletedMap {
 /// Gives unmatched vertices an image: the harmonic extension of the images around them, projected onto the
 /// target's surface; vertices of components without any match get the image of the nearest matched vertex.
 /// Matched vertices keep theirs bit for bit. O(n^1.5 + n log F) for n unmatched vertices. Throws InvalidInput
-/// if the map does not fit the meshes or matches nothing.
+/// if the map does not fit the meshes or matches nothing, or if squares of the coordinates overflow.
 CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target);
 
 }  // namespace counterpart

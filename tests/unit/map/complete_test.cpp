@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "support/expect_error.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/map/complete.hpp>
+#include <counterpart/mesh/shapes.hpp>
+
+#include <gtest/gtest.h>
+
+namespace counterpart {
+namespace {
+
+// Each vertex of the mesh to itself, but for those at which nothing is known.
+SurfaceMap identity_without(const TriangleMesh& mesh, const std::vector<Index>& unmatched) {
+    std::vector<Index> image;
+    for (Index v = 0; v < mesh.n_vertices(); ++v) image.push_back(v);
+    for (const Index v : unmatched) image[static_cast<std::size_t>(v)] = VertexMap::unmatched;
+    return surface_map_of(VertexMap(std::move(image), mesh.n_vertices()), mesh);
+}
+
+TEST(CompleteMap, FillsFromAroundAndKeepsTheRestBitForBit) {
+    const TriangleMesh grid = make_grid(9, 9);
+    const Index middle = 40;
+    const SurfaceMap partial = identity_without(grid, {middle});
+    const CompletedMap whole = complete_map(partial, grid, grid);
+    EXPECT_EQ(whole.coverage.transferred, grid.n_vertices() - 1);
+    EXPECT_EQ(whole.coverage.filled, 1);
+    EXPECT_EQ(whole.coverage.guessed, 0);
+    for (Index v = 0; v < grid.n_vertices(); ++v) {
+        if (v == middle) continue;
+        EXPECT_EQ(whole.target_from_source[v].triangle, partial[v].triangle);
+        EXPECT_EQ(whole.target_from_source[v].weights, partial[v].weights);
+    }
+    // The neighbors of an inner vertex lie around it, so that their mean is its own place.
+    const Points places = image_positions(whole.target_from_source, grid);
+    EXPECT_LT((places.row(middle) - grid.vertices.row(middle)).norm(), 1e-12);
+}
+
+TEST(CompleteMap, ComponentsWithoutAMatchTakeTheNearest) {
+    const TriangleMesh grid = make_grid(3, 3);
+    TriangleMesh two = grid;
+    two.vertices.conservativeResize(grid.n_vertices() + 3, 3);
+    two.vertices.bottomRows(3) = grid.vertices.topRows(3);
+    two.vertices.bottomRows(3).col(2).array() += 0.1;
+    two.triangles.conservativeResize(grid.n_triangles() + 1, 3);
+    two.triangles.bottomRows(1) << grid.n_vertices(), grid.n_vertices() + 1, grid.n_vertices() + 2;
+    std::vector<Index> image;
+    for (Index v = 0; v < two.n_vertices(); ++v)
+        image.push_back(v < grid.n_vertices() ? v : VertexMap::unmatched);
+    const CompletedMap whole =
+        complete_map(surface_map_of(VertexMap(std::move(image), grid.n_vertices()), grid), two, grid);
+    EXPECT_EQ(whole.coverage.guessed, 3);
+    const Points places = image_positions(whole.target_from_source, grid);
+    EXPECT_LT((places.bottomRows(3) - grid.vertices.topRows(3)).norm(), 1e-12);
+}
+
+TEST(CompleteMap, RefusesWhatMatchesNothingOrCannotBeMeasured) {
+    const TriangleMesh grid = make_grid(4, 4);
+    std::vector<Index> all;
+    for (Index v = 0; v < grid.n_vertices(); ++v) all.push_back(v);
+    test::expect_error<InvalidInput>([&] { complete_map(identity_without(grid, all), grid, grid); },
+                                     "matches no vertex");
+    TriangleMesh enormous = grid;
+    enormous.vertices *= 1e200;
+    test::expect_error<InvalidInput>([&] { complete_map(identity_without(grid, {5}), grid, enormous); },
+                                     "scale the meshes");
+}
+
+}  // namespace
+}  // namespace counterpart
