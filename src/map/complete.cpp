@@ -6,6 +6,8 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -23,7 +25,7 @@ CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source,
     for (Index v = 0; v < source.n_vertices(); ++v) {
         if (target_from_source[v].matched()) continue;
         const numerics::ClosestPoint point = surface.closest(images.values.row(v).transpose());
-        if (point.triangle < 0) {
+        if (!std::isfinite(point.squared_distance)) {
             throw InvalidInput(
                 fmt::format("the place of vertex {} on the target is too far from it to be "
                             "measured; scale the meshes to smaller coordinates",

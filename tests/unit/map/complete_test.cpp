@@ -20,7 +20,7 @@ SurfaceMap identity_without(const TriangleMesh& mesh, const std::vector<Index>& 
 }
 
 TEST(CompleteMap, FillsFromAroundAndKeepsTheRestBitForBit) {
-    const TriangleMesh grid = make_grid(9, 9);
+    const TriangleMesh grid = make_grid(8, 8);
     const Index middle = 40;
     const SurfaceMap partial = identity_without(grid, {middle});
     const CompletedMap whole = complete_map(partial, grid, grid);
@@ -61,9 +61,10 @@ TEST(CompleteMap, RefusesWhatMatchesNothingOrCannotBeMeasured) {
     for (Index v = 0; v < grid.n_vertices(); ++v) all.push_back(v);
     test::expect_error<InvalidInput>([&] { complete_map(identity_without(grid, all), grid, grid); },
                                      "matches no vertex");
-    TriangleMesh enormous = grid;
+    const TriangleMesh sphere = make_icosphere(1);
+    TriangleMesh enormous = sphere;
     enormous.vertices *= 1e200;
-    test::expect_error<InvalidInput>([&] { complete_map(identity_without(grid, {5}), grid, enormous); },
+    test::expect_error<InvalidInput>([&] { complete_map(identity_without(sphere, {5}), sphere, enormous); },
                                      "scale the meshes");
 }
 
