@@ -4,6 +4,7 @@
 // Matching small meshes that are made of the bytes: triangles of any kind, finite coordinates of any size.
 #include "fuzz/require.hpp"
 #include "fuzz/targets.hpp"
+#include "match/spectral/stored_shape.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/differences.hpp>
@@ -195,10 +196,19 @@ void matched_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 4> matchers = {{{"exact", matched_or_refused<exact>},
+// What `match --cache` keeps. Among the matchers, because shapes are made of most of the library.
+void read_shape_or_refuse(std::string_view bytes) {
+    try {
+        require(spectral_match::to_bytes(spectral_match::shape_from_bytes(bytes)) == bytes);
+    } catch (const InvalidInput&) {
+    }
+}
+
+constexpr std::array<Target, 5> matchers = {{{"exact", matched_or_refused<exact>},
                                              {"differences", matched_or_refused<differences>},
                                              {"spectral", matched_or_refused<spectral>},
-                                             {"partial", matched_or_refused<partial>}}};
+                                             {"partial", matched_or_refused<partial>},
+                                             {"shape", read_shape_or_refuse}}};
 
 }  // namespace
 

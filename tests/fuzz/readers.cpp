@@ -12,7 +12,6 @@
 #include "io/landmark_bytes.hpp"
 #include "io/map_bytes.hpp"
 #include "io/npy_bytes.hpp"
-#include "match/spectral/stored_shape.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/base_colors.hpp>
@@ -106,10 +105,6 @@ void read_ele_bytes(std::string_view bytes) {
         use_cells(parse_ele(first, bytes.substr(end + 1), name, name));
     else
         use_cells(parse_outlines(first, bytes.substr(end + 1), name));
-}
-
-void read_shape_bytes(std::string_view bytes) {
-    require(spectral_match::to_bytes(spectral_match::shape_from_bytes(bytes)) == bytes);
 }
 
 GltfFile read_gltf_bytes(std::string_view bytes) {
@@ -206,7 +201,7 @@ void read_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 14> readers = {{{"off", read_or_refused<read_off_bytes>},
+constexpr std::array<Target, 13> readers = {{{"off", read_or_refused<read_off_bytes>},
                                              {"obj", read_or_refused<read_obj_bytes>},
                                              {"ply", read_or_refused<read_ply_bytes>},
                                              {"stl", read_or_refused<read_stl_bytes>},
@@ -218,8 +213,7 @@ constexpr std::array<Target, 14> readers = {{{"off", read_or_refused<read_off_by
                                              {"npy", read_or_refused<read_npy_bytes>},
                                              {"map", read_or_refused<read_map_bytes>},
                                              {"surface_map", read_or_refused<read_surface_map_bytes>},
-                                             {"landmarks", read_or_refused<read_landmark_bytes>},
-                                             {"shape", read_or_refused<read_shape_bytes>}}};
+                                             {"landmarks", read_or_refused<read_landmark_bytes>}}};
 
 }  // namespace
 
