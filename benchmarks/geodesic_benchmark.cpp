@@ -4,7 +4,8 @@
 // Graph construction, one search, and batches of searches on 1 and 2 threads, on tori with 16 thousand to 1
 // million vertices whose vertices are in random order. One JSON line per measurement; seconds are medians of
 // five.
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
+
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/shapes.hpp>
 

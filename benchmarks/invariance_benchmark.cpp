@@ -9,7 +9,8 @@
 // `accuracy`. Each is matched as it is, swapped, with both meshes rotated, with the target scaled, and with
 // both renumbered. One JSON line per pair goes to RESULTS; pairs that are there already are not run again.
 // Errors are geodesic, times 100 / sqrt(target area); the last line on stdout gives the largest changes.
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
+
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>

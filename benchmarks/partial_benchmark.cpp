@@ -11,7 +11,8 @@
 // in the truth says nothing) or none (it says that there is no partner), only=SUBSTRING of the pair, swap=1
 // (match target to source). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 /
 // sqrt(target area); the last line on stdout is the summary.
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
+
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>

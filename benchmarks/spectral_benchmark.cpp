@@ -11,8 +11,9 @@
 // is what `counterpart match --method spectral` does: read, match, write. One JSON line: medians in seconds,
 // of each stage too, MiB at the peak
 // (the meshes as they were made are in it too), and the mean error at 2000 vertices x 100 / sqrt(area).
+#include "base/random.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>

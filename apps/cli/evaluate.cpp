@@ -9,7 +9,6 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/evaluation/map_quality.hpp>
-#include <counterpart/evaluation/overlap.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/mesh/measure.hpp>

@@ -8,7 +8,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
-#include <counterpart/io/base_colors.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>

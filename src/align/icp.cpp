@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "numerics/closest_triangle.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/descriptor/shot.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>

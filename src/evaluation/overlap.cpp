@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
-#include <counterpart/evaluation/overlap.hpp>
+#include <counterpart/evaluation/evaluate.hpp>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include "numerics/morton_order.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/geodesic/distance_graph.hpp>
+#include <counterpart/geodesic/distances.hpp>
 
 #include <algorithm>
 #include <cmath>

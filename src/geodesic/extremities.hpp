@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <counterpart/geodesic/distance_graph.hpp>
+#include <counterpart/geodesic/distances.hpp>
 
 #include <vector>
 

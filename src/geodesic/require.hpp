@@ -3,7 +3,7 @@
 #pragma once
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/geodesic/distance_graph.hpp>
+#include <counterpart/geodesic/distances.hpp>
 
 #include <span>
 

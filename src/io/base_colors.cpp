@@ -4,7 +4,7 @@
 #include "io/mtl.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/base_colors.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <map>
 #include <utility>

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/orient.hpp"
+
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/edge_table.hpp"
 
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/orient.hpp>
 
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::mesh {
 namespace {
 
 struct EdgeComponent {
@@ -91,4 +92,4 @@ OrientResult orient(MeshView mesh) {
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::mesh

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
+
 #include <counterpart/mesh/shuffle.hpp>
 
 #include <numeric>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "mesh/tetrahedron_faces.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/mesh/tetrahedral_mesh.hpp>
 
 #include <numeric>

@@ -3,10 +3,9 @@
 #include "numerics/block_lanczos.hpp"
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "numerics/shifted_factor.hpp"
 #include "numerics/symmetric_eigen.hpp"
-
-#include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <cmath>

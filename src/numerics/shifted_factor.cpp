@@ -3,8 +3,7 @@
 #include "numerics/shifted_factor.hpp"
 
 #include "base/parallel.hpp"
-
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
 
 #include <algorithm>
 

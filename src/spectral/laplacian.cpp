@@ -6,7 +6,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/spectral/laplacian.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 
 #include <algorithm>
 #include <vector>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "mesh/edge_table.hpp"
+#include "transfer/attributes.hpp"
 #include "transfer/cut_surface.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +16,11 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::attributes {
 namespace {
 
 using CornerPoints = std::array<SurfacePoint, 3>;  // on one side of every seam
-using Seams = attributes::CutSurface::Seams;
+using Seams = CutSurface::Seams;
 
 // A chord is shorter than the way along the surface: how much farther around it we look.
 constexpr double slack = 1.25;
@@ -33,16 +33,16 @@ struct Crossing {
     std::array<double, 2> distance{};
 };
 
-Crossing find_crossing(const attributes::CutSurface& surface, const SurfacePoint& a, const SurfacePoint& b) {
+Crossing find_crossing(const CutSurface& surface, const SurfacePoint& a, const SurfacePoint& b) {
     Crossing none;
     const std::vector<Index> around_a = surface.around(a), around_b = surface.around(b);
-    if (attributes::intersect(around_a, around_b)) return none;
+    if (intersect(around_a, around_b)) return none;
     const Eigen::Vector3d from = surface.position(a), to = surface.position(b), middle = (from + to) / 2;
     double radius = slack * (to - from).norm() / 2;
     for (int i = 0; i <= widenings; ++i, radius *= 2) {
         const std::vector<Index> side_a = surface.reach(around_a, middle, radius, Seams::block);
-        if (attributes::intersect(side_a, around_b)) return none;
-        if (!attributes::intersect(surface.reach(around_a, middle, radius, Seams::cross), around_b)) continue;
+        if (intersect(side_a, around_b)) return none;
+        if (!intersect(surface.reach(around_a, middle, radius, Seams::cross), around_b)) continue;
         const std::vector<Index> side_b = surface.reach(around_b, middle, radius, Seams::block);
         const numerics::ClosestPoint to_a = surface.closest_among(side_b, from);
         const numerics::ClosestPoint to_b = surface.closest_among(side_a, to);
@@ -61,8 +61,7 @@ struct Snapped {
 };
 
 // Moves the nearer end of each crossing edge onto the seam, least moves first, until no edge crosses one.
-Snapped snap_to_seams(const attributes::CutSurface& surface, MeshView target,
-                      std::vector<SurfacePoint> image) {
+Snapped snap_to_seams(const CutSurface& surface, MeshView target, std::vector<SurfacePoint> image) {
     Snapped result{std::move(image), std::vector<double>(static_cast<std::size_t>(target.n_vertices()), 0)};
     const mesh::EdgeTable table(target);
     std::vector<std::array<std::size_t, 2>> edges;
@@ -111,8 +110,7 @@ struct SideChoice {
     }
 };
 
-CornerPoints place_corners(const attributes::CutSurface& surface, const CornerPoints& images,
-                           Index& triangle) {
+CornerPoints place_corners(const CutSurface& surface, const CornerPoints& images, Index& triangle) {
     std::array<std::vector<Index>, 3> around;
     std::array<Eigen::Vector3d, 3> positions;
     std::size_t narrowest = 0;
@@ -122,7 +120,7 @@ CornerPoints place_corners(const attributes::CutSurface& surface, const CornerPo
         if (around[c].size() < around[narrowest].size()) narrowest = c;
     }
     const auto holds = [&](const std::vector<Index>& triangles, std::size_t c) {
-        return attributes::intersect(triangles, around[c]);
+        return intersect(triangles, around[c]);
     };
     const Eigen::Vector3d center = (positions[0] + positions[1] + positions[2]) / 3;
     SideChoice best;
@@ -249,7 +247,7 @@ TransferredCorners transfer_corners(const SurfaceMap& source_from_target, MeshVi
     require_fitting(attribute, labels, source);
     CompletedMap completed = complete_map(source_from_target, target, source);
     settle(completed.target_from_source.image);
-    const attributes::CutSurface surface(source, attribute, labels);
+    const CutSurface surface(source, attribute, labels);
     TransferredCorners result;
     result.coverage = completed.coverage;
     result.source_from_target.resize(static_cast<std::size_t>(target.n_triangles()));
@@ -276,4 +274,4 @@ TransferredCorners transfer_corners(const SurfaceMap& source_from_target, MeshVi
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "mesh/harmonic_fill.hpp"
+#include "transfer/attributes.hpp"
 #include "transfer/local_linear_maps.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::attributes {
 
 TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target, MeshView source,
                                                MeshView target, const std::vector<MorphTarget>& morphs) {
@@ -45,4 +45,4 @@ TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_tar
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "numerics/rotation.hpp"
+#include "transfer/attributes.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <Eigen/Geometry>
 
-namespace counterpart {
+namespace counterpart::attributes {
 namespace {
 
 // For each row the mean normal of the triangles that use it; zero where undefined.
@@ -104,4 +104,4 @@ TransferredCorners transfer_normals(const SurfaceMap& source_from_target, MeshVi
     return carried;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

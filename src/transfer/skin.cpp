@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "mesh/harmonic_fill.hpp"
+#include "transfer/attributes.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart {
+namespace counterpart::attributes {
 namespace {
 
 struct Influence {
@@ -163,4 +163,4 @@ TransferredSkin transfer_skin(const SurfaceMap& source_from_target, MeshView sou
     return result;
 }
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "transfer/attributes.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/invert.hpp>
 #include <counterpart/map/project.hpp>
-#include <counterpart/transfer/attributes.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ struct Transfer {
 
     template <class Compute>
     CornerAttribute corners(const std::string& name, const Compute& compute) {
-        TransferredCorners transferred;
+        attributes::TransferredCorners transferred;
         try {
             transferred = compute();
         } catch (const InvalidInput& error) {
@@ -45,15 +46,15 @@ struct Transfer {
             const std::string numbered =
                 all.size() == 1 ? name : fmt::format("{} {}", name, transferred.size());
             transferred.push_back(corners(numbered, [&] {
-                return transfer_corners(map, source.mesh, result.content.mesh, set, source.parts,
-                                        {.n_threads = options.n_threads});
+                return attributes::transfer_corners(map, source.mesh, result.content.mesh, set, source.parts,
+                                                    {.n_threads = options.n_threads});
             }));
         }
         return transferred;
     }
     void skin() {
-        TransferredSkin transferred = transfer_skin(map, source.mesh, result.content.mesh, source.skin,
-                                                    {.max_influences = options.max_influences});
+        attributes::TransferredSkin transferred = attributes::transfer_skin(
+            map, source.mesh, result.content.mesh, source.skin, {.max_influences = options.max_influences});
         result.attributes.push_back({.name = "skin weights",
                                      .coverage = transferred.coverage,
                                      .limited_vertices = transferred.limited,
@@ -61,8 +62,8 @@ struct Transfer {
         result.content.skin = std::move(transferred.skin);
     }
     void morphs() {
-        TransferredMorphTargets transferred =
-            transfer_morph_targets(map, source.mesh, result.content.mesh, source.morphs);
+        attributes::TransferredMorphTargets transferred =
+            attributes::transfer_morph_targets(map, source.mesh, result.content.mesh, source.morphs);
         result.attributes.push_back({.name = fmt::format("{} morph target{}", source.morphs.size(),
                                                          source.morphs.size() == 1 ? "" : "s"),
                                      .coverage = transferred.coverage});
@@ -73,8 +74,8 @@ struct Transfer {
         if (source.parts.empty()) return {};
         const CornerAttribute nothing{{}, Triangles::Constant(source.mesh.n_triangles(), 3, -1)};
         if (source_triangles.empty())
-            source_triangles = transfer_corners(map, source.mesh, result.content.mesh, nothing, source.parts,
-                                                {.n_threads = options.n_threads})
+            source_triangles = attributes::transfer_corners(map, source.mesh, result.content.mesh, nothing,
+                                                            source.parts, {.n_threads = options.n_threads})
                                    .source_from_target;
         std::vector<Index> parts;
         for (const Index t : source_triangles) parts.push_back(source.parts[static_cast<std::size_t>(t)]);
@@ -129,8 +130,8 @@ TransferResult transfer_through_inverse(const AttributedMesh& source, const Attr
     report_progress(options.progress, 0.7);
     if (options.normals && source.normals.values.rows() > 0) {
         content.normals = transfer.corners("normals", [&] {
-            return transfer_normals(source_from_target, source.mesh, content.mesh, source.normals,
-                                    {.n_threads = options.n_threads});
+            return attributes::transfer_normals(source_from_target, source.mesh, content.mesh, source.normals,
+                                                {.n_threads = options.n_threads});
         });
     }
     result.has_materials = options.materials && has_materials(source);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/hostile_mesh.hpp"
 
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
+
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>

@@ -14,7 +14,7 @@
 #include "io/npy_bytes.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/base_colors.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <array>

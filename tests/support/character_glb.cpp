@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "support/character_glb.hpp"
 
+#include "base/random.hpp"
 #include "io/byte_order.hpp"
 
-#include <counterpart/base/random.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/render/image.hpp>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/cuts.hpp"
 
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
 
 #include <utility>
 #include <vector>

@@ -21,18 +21,20 @@ struct TransferOptions {
     bool skin = true;
     bool morphs = true;
     bool materials = true;   ///< with their textures; texture coordinates are of no use without them
-    int max_influences = 0;  ///< maximum joints per vertex; 0 = as in the source, see TransferSkinOptions
+    int max_influences = 0;  ///< maximum joints per vertex; 0 = as in the source (4 or 8 in glTF)
     int n_threads = 0;       ///< 0 = all; does not change the result
     Progress progress{};     ///< called between attributes
 };
 
-/// How one attribute was transferred; counts that do not apply to it are 0. See transfer_corners and
-/// transfer_skin.
+/// How one attribute was transferred; counts that do not apply to it are 0.
 struct TransferredAttribute {
     std::string name;
-    Coverage coverage;
-    Index seam_triangles = 0, moved_vertices = 0, without_triangles = 0;
-    Index limited_vertices = 0, unbound_vertices = 0;
+    Coverage coverage;            ///< of the target's vertices
+    Index seam_triangles = 0;     ///< target triangles with an edge on a seam
+    Index moved_vertices = 0;     ///< images of target vertices moved onto a seam, for this attribute only
+    Index without_triangles = 0;  ///< target triangles without values, as the source has none there
+    Index limited_vertices = 0;   ///< that lost joints to max_influences
+    Index unbound_vertices = 0;   ///< on components of the source without joints
 };
 
 struct TransferResult {

@@ -3,9 +3,8 @@
 #include "match/partial/consensus.hpp"
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "numerics/product.hpp"
-
-#include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "match/partial/surface.hpp"
 #include "numerics/oriented_neighbors.hpp"
 
-#include <counterpart/spectral/laplacian.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 
 #include <vector>
 

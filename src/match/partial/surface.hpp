@@ -9,7 +9,7 @@
 #include "match/partial/tuning.hpp"
 #include "match/spectral/preprocess.hpp"
 
-#include <counterpart/geodesic/distance_graph.hpp>
+#include <counterpart/geodesic/distances.hpp>
 
 #include <memory>
 #include <span>

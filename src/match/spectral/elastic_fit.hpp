@@ -5,7 +5,7 @@
 #include "base/progress_range.hpp"
 #include "match/spectral/tuning.hpp"
 
-#include <counterpart/spectral/laplacian.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 
 #include <memory>
 #include <vector>

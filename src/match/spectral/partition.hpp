@@ -4,7 +4,7 @@
 
 #include "base/progress_range.hpp"
 
-#include <counterpart/geodesic/distance_graph.hpp>
+#include <counterpart/geodesic/distances.hpp>
 
 #include <span>
 

@@ -3,6 +3,7 @@
 #include "match/spectral/prepared_shape.hpp"
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "geodesic/dijkstra.hpp"
 #include "match/spectral/partition.hpp"
 #include "match/spectral/proxy.hpp"
@@ -11,7 +12,6 @@
 #include "spectral/subspace_basis.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/geodesic/farthest_points.hpp>

@@ -11,7 +11,6 @@
 #include "spectral/orientation.hpp"
 
 #include <counterpart/spectral/eigen_basis.hpp>
-#include <counterpart/spectral/laplacian.hpp>
 
 #include <cstdint>
 #include <optional>

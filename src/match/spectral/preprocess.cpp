@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/preprocess.hpp"
 
+#include "mesh/orient.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/orient.hpp>
 #include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
@@ -103,7 +103,7 @@ Preprocessed preprocess(MeshView mesh, const PreparationTuning& tuning) {
     const MeshReport report = analyze(part);
     result.n_boundary_loops = report.n_boundary_loops;
     result.n_nonmanifold_edges = report.n_nonmanifold_edges;
-    OrientResult oriented = orient(part);
+    mesh::OrientResult oriented = mesh::orient(part);
     result.mesh = std::move(oriented.mesh);
     result.n_disagreeing = oriented.n_disagreeing;
     result.n_one_sided = oriented.n_one_sided;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "align/softassign.hpp"
 
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
 
 #include <gtest/gtest.h>
 

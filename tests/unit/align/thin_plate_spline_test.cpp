@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
+
 #include <counterpart/align/thin_plate_spline.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 
 #include <cmath>
 

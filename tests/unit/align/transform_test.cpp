@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
+
 #include <counterpart/align/transform.hpp>
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

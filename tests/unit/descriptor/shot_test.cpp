@@ -3,7 +3,7 @@
 #include "support/disguise.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/descriptor/shot.hpp>
+#include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "support/disguise.hpp"
 #include "support/edited_map.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/measure.hpp>

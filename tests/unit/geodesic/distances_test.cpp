@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // What all formats have in common; the formats' own rules are tested beside this file.
+#include "base/random.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/shapes.hpp>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/shapes.hpp>
 

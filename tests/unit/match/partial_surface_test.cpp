@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "match/partial/surface.hpp"
 
-#include <counterpart/base/random.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/random.hpp"
 #include "match/spectral/stored_shape.hpp"
 #include "support/disguise.hpp"
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 #include <counterpart/match/spectral.hpp>
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>

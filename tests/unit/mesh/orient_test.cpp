@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/orient.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/orient.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
@@ -41,11 +42,11 @@ TriangleMesh moebius_band(int n) {
     return mesh;
 }
 
-TEST(Orient, RefusesInvalidMeshes) { EXPECT_THROW(orient({}), InvalidInput); }
+TEST(Orient, RefusesInvalidMeshes) { EXPECT_THROW(mesh::orient({}), InvalidInput); }
 
 TEST(Orient, LeavesGoodMeshesAlone) {
     for (const TriangleMesh& mesh : {make_icosphere(2), make_torus(12, 8), make_grid(4, 3), make_body()}) {
-        const OrientResult result = orient(mesh);
+        const mesh::OrientResult result = mesh::orient(mesh);
         EXPECT_EQ(result.mesh.triangles, mesh.triangles);
         EXPECT_EQ(result.n_disagreeing, 0);
         EXPECT_EQ(result.n_one_sided, 0);
@@ -57,7 +58,7 @@ TEST(Orient, TurnsTheLesserPart) {
     TriangleMesh mesh = make_torus(12, 8);
     const TriangleMesh good = mesh;
     for (const Index t : {0, 5, 77, 100}) turn(mesh, t);
-    const OrientResult result = orient(mesh);
+    const mesh::OrientResult result = mesh::orient(mesh);
     EXPECT_EQ(result.n_disagreeing, 4);
     EXPECT_FALSE(result.was_inside_out);
     EXPECT_TRUE(analyze(result.mesh).is_consistently_oriented);
@@ -67,7 +68,7 @@ TEST(Orient, TurnsTheLesserPart) {
 TEST(Orient, TurnsWhatIsInsideOut) {
     TriangleMesh mesh = make_icosphere(2);
     for (Index t = 3; t < mesh.n_triangles(); ++t) turn(mesh, t);  // inside out but for three
-    const OrientResult result = orient(mesh);
+    const mesh::OrientResult result = mesh::orient(mesh);
     EXPECT_EQ(result.n_disagreeing, 3);
     EXPECT_TRUE(result.was_inside_out);
     EXPECT_GT(signed_volume(result.mesh), 4);
@@ -77,17 +78,18 @@ TEST(Orient, TreatsClosedPiecesApartAndOpenOnesTogether) {
     TriangleMesh small = make_icosphere(1);
     for (Index t = 0; t < small.n_triangles(); ++t) turn(small, t);
     small.vertices.col(0).array() += 5;
-    EXPECT_FALSE(orient(beside(make_icosphere(3), small)).was_inside_out);  // most of the area was right
-    EXPECT_GT(signed_volume(orient(beside(make_icosphere(3), small)).mesh), 4.5);
+    EXPECT_FALSE(
+        mesh::orient(beside(make_icosphere(3), small)).was_inside_out);  // most of the area was right
+    EXPECT_GT(signed_volume(mesh::orient(beside(make_icosphere(3), small)).mesh), 4.5);
 
     TriangleMesh bowl = make_icosphere(3);
     bowl.triangles.conservativeResize(bowl.n_triangles() * 3 / 4, 3);
     for (Index t = 0; t < bowl.n_triangles(); ++t) turn(bowl, t);
-    EXPECT_TRUE(orient(bowl).was_inside_out);
+    EXPECT_TRUE(mesh::orient(bowl).was_inside_out);
 }
 
 TEST(Orient, SaysWhatHasOneSide) {
-    const OrientResult result = orient(moebius_band(20));
+    const mesh::OrientResult result = mesh::orient(moebius_band(20));
     EXPECT_EQ(result.n_one_sided, 1);
     EXPECT_EQ(result.mesh.n_triangles(), 40);
 }

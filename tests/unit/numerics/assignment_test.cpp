@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/assignment.hpp"
 
+#include "base/random.hpp"
+
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 
 #include <algorithm>
 #include <cmath>

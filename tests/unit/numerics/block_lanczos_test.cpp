@@ -3,12 +3,12 @@
 #include "numerics/block_lanczos.hpp"
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "numerics/shifted_factor.hpp"
 
-#include <counterpart/base/random.hpp>
 #include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/spectral/laplacian.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 
 #include <Eigen/Eigenvalues>
 #include <Spectra/MatOp/SparseSymMatProd.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/nearest_neighbors.hpp"
 
-#include <counterpart/base/random.hpp>
+#include "base/random.hpp"
 
 #include <algorithm>
 #include <utility>

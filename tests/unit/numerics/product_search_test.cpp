@@ -3,9 +3,9 @@
 #include "numerics/product_search.hpp"
 
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/base/random.hpp>
 
 #include <limits>
 

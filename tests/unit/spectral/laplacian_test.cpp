@@ -6,7 +6,6 @@
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
-#include <counterpart/spectral/laplacian.hpp>
 
 #include <cmath>
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/closest_triangle.hpp"
 #include "support/expect_error.hpp"
+#include "transfer/attributes.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <cmath>
 #include <numbers>
@@ -74,8 +74,8 @@ TEST(CarryCorners, PermutationComesBackBitByBit) {
     const CornerAttribute attribute = front_and_back(source);
     const ShuffleResult copy = shuffle(source, 3);
     const VertexMap map{copy.shuffled_from_original, copy.mesh.n_vertices()};
-    const TransferredCorners carried =
-        transfer_corners(surface_map_of(invert(map), source), source, copy.mesh, attribute);
+    const attributes::TransferredCorners carried =
+        attributes::transfer_corners(surface_map_of(invert(map), source), source, copy.mesh, attribute);
     EXPECT_EQ(carried.moved_vertices, 0);
     EXPECT_EQ(carried.coverage.transferred, source.n_vertices());
     for (Index t = 0; t < copy.mesh.n_triangles(); ++t) {
@@ -95,8 +95,8 @@ TEST(CarryCorners, PermutationComesBackBitByBit) {
 TEST(CarryCorners, FinerMeshKeepsTheSeamsOfTheCoarse) {
     const TriangleMesh source = make_torus(16, 10), target = subdivide(source);
     const CornerAttribute attribute = torus_coordinates(source);
-    const TransferredCorners carried =
-        transfer_corners(closest_points(target, source), source, target, attribute);
+    const attributes::TransferredCorners carried =
+        attributes::transfer_corners(closest_points(target, source), source, target, attribute);
     EXPECT_LT(carried.largest_move, 1e-9);
     // Two at each of the 2 (16 + 10) edges of the two circles; where these cross, two are counted once.
     EXPECT_EQ(carried.seam_triangles, 2 * 2 * (16 + 10) - 2);
@@ -114,8 +114,8 @@ TEST(CarryCorners, NoTriangleSpansTheAtlas) {
     TriangleMesh turned = target;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.37, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     turned.vertices = (target.vertices * turn.transpose()).eval();
-    const TransferredCorners carried =
-        transfer_corners(closest_points(turned, source), source, turned, torus_coordinates(source));
+    const attributes::TransferredCorners carried = attributes::transfer_corners(
+        closest_points(turned, source), source, turned, torus_coordinates(source));
     EXPECT_GT(carried.moved_vertices, 30);
     EXPECT_LT(carried.largest_move, 0.6 * mean_edge_length(turned));
     const CornerAttribute truth = torus_coordinates(turned);
@@ -141,7 +141,8 @@ TEST(CarryCorners, UnmatchedVerticesFollowTheirNeighbors) {
     const TriangleMesh mesh = make_torus(24, 16);
     SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), mesh);
     for (const std::size_t v : {30U, 31U, 200U}) map.image[v] = {};
-    const TransferredCorners carried = transfer_corners(map, mesh, mesh, torus_coordinates(mesh));
+    const attributes::TransferredCorners carried =
+        attributes::transfer_corners(map, mesh, mesh, torus_coordinates(mesh));
     EXPECT_EQ(carried.coverage.filled, 3);
     EXPECT_EQ(carried.coverage.transferred, mesh.n_vertices() - 3);
     const CornerAttribute truth = torus_coordinates(mesh);
@@ -157,8 +158,8 @@ TEST(CarryCorners, BothSidesOfALeafKeepTheirOwn) {
     CornerAttribute attribute{Matrix(2, 1), Triangles::Zero(2 * n, 3)};
     attribute.values << 0.25, 0.75;
     attribute.corners.bottomRows(n).setOnes();
-    const TransferredCorners carried =
-        transfer_corners(surface_map_of(identity_map(leaf.n_vertices()), leaf), leaf, leaf, attribute);
+    const attributes::TransferredCorners carried = attributes::transfer_corners(
+        surface_map_of(identity_map(leaf.n_vertices()), leaf), leaf, leaf, attribute);
     for (Index t = 0; t < 2 * n; ++t) EXPECT_EQ(at(carried.attribute, t), at(attribute, t)) << t;
 }
 
@@ -167,8 +168,8 @@ TEST(CarryCorners, PartsWithoutValuesStayWithout) {
     CornerAttribute attribute = torus_coordinates(mesh);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         if (attribute.values(3 * t, 0) > 0.5) attribute.corners.row(t).setConstant(-1);
-    const TransferredCorners carried =
-        transfer_corners(surface_map_of(identity_map(mesh.n_vertices()), mesh), mesh, mesh, attribute);
+    const attributes::TransferredCorners carried = attributes::transfer_corners(
+        surface_map_of(identity_map(mesh.n_vertices()), mesh), mesh, mesh, attribute);
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         EXPECT_EQ(carried.attribute.corners(t, 0) < 0, attribute.corners(t, 0) < 0) << t;
     EXPECT_GT(carried.without_triangles, 0);
@@ -181,17 +182,17 @@ TEST(CarryCorners, LabelsAreSeams) {
     for (Index t = 0; t < source.n_triangles(); ++t)
         labels.push_back(source.vertices(source.triangles.row(t).transpose(), 0).sum() > 0);
     const SurfaceMap map = closest_points(target, source);
-    EXPECT_EQ(transfer_corners(map, source, target, attribute).moved_vertices, 0);
-    EXPECT_GT(transfer_corners(map, source, target, attribute, labels).moved_vertices, 0);
+    EXPECT_EQ(attributes::transfer_corners(map, source, target, attribute).moved_vertices, 0);
+    EXPECT_GT(attributes::transfer_corners(map, source, target, attribute, labels).moved_vertices, 0);
 }
 
 TEST(CarryCorners, SameBytesForAnyNumberOfThreads) {
     const TriangleMesh source = make_torus(30, 20), target = make_torus(23, 17);
     const SurfaceMap map = closest_points(target, source);
-    const TransferredCorners one =
-        transfer_corners(map, source, target, torus_coordinates(source), {}, {.n_threads = 1});
-    const TransferredCorners all =
-        transfer_corners(map, source, target, torus_coordinates(source), {}, {.n_threads = 0});
+    const attributes::TransferredCorners one =
+        attributes::transfer_corners(map, source, target, torus_coordinates(source), {}, {.n_threads = 1});
+    const attributes::TransferredCorners all =
+        attributes::transfer_corners(map, source, target, torus_coordinates(source), {}, {.n_threads = 0});
     EXPECT_EQ(one.attribute.values, all.attribute.values);
     EXPECT_EQ(one.attribute.corners, all.attribute.corners);
 }
@@ -203,16 +204,23 @@ TEST(CarryCorners, RefusesWhatDoesNotFit) {
     using test::expect_error;
     expect_error<InvalidInput>(
         [&] {
-            transfer_corners({{}, mesh.n_triangles()}, mesh, mesh, attribute);
+            attributes::transfer_corners({{}, mesh.n_triangles()}, mesh, mesh, attribute);
         },
         "0 entries");
-    expect_error<InvalidInput>([&] { transfer_corners(map, mesh, mesh, attribute, {1, 2}); }, "2 labels");
+    expect_error<InvalidInput>(
+        [&] {
+            attributes::transfer_corners(map, mesh, mesh, attribute, {1, 2});
+        },
+        "2 labels");
     const SurfaceMap empty{std::vector<SurfacePoint>(map.image.size()), mesh.n_triangles()};
-    expect_error<InvalidInput>([&] { transfer_corners(empty, mesh, mesh, attribute); }, "matches no vertex");
+    expect_error<InvalidInput>([&] { attributes::transfer_corners(empty, mesh, mesh, attribute); },
+                               "matches no vertex");
     attribute.corners(3, 1) = 1000;
-    expect_error<InvalidInput>([&] { transfer_corners(map, mesh, mesh, attribute); }, "names value 1000");
+    expect_error<InvalidInput>([&] { attributes::transfer_corners(map, mesh, mesh, attribute); },
+                               "names value 1000");
     attribute.corners.conservativeResize(5, 3);
-    expect_error<InvalidInput>([&] { transfer_corners(map, mesh, mesh, attribute); }, "5 triangles");
+    expect_error<InvalidInput>([&] { attributes::transfer_corners(map, mesh, mesh, attribute); },
+                               "5 triangles");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
+#include "transfer/attributes.hpp"
 #include "transfer/local_linear_maps.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -10,7 +11,6 @@
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <cmath>
 
@@ -41,8 +41,8 @@ TEST(CarryMorphs, PermutationComesBack) {
     const std::vector<MorphTarget> morphs = some_morphs(source);
     const ShuffleResult copy = shuffle(source, 7);
     const VertexMap map{copy.shuffled_from_original, copy.mesh.n_vertices()};
-    const TransferredMorphTargets carried =
-        transfer_morph_targets(surface_map_of(invert(map), source), source, copy.mesh, morphs);
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(surface_map_of(invert(map), source), source, copy.mesh, morphs);
     ASSERT_EQ(carried.morphs.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(carried.morphs[i].name, morphs[i].name);
@@ -60,8 +60,8 @@ TEST(CarryMorphs, StretchedAndTurnedTargetStretchesAndTurnsTheDisplacements) {
     TriangleMesh target{source.vertices * linear.transpose(), source.triangles};
     target.vertices.rowwise() += Eigen::RowVector3d(3, -1, 2);
     const std::vector<MorphTarget> morphs = some_morphs(source);
-    const TransferredMorphTargets carried =
-        transfer_morph_targets(identity_on(source), source, target, morphs);
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(identity_on(source), source, target, morphs);
     for (std::size_t i = 0; i < 2; ++i) {
         const Points expected = morphs[i].displacements * linear.transpose();
         EXPECT_LT((carried.morphs[i].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
@@ -73,7 +73,8 @@ TEST(CarryMorphs, WithoutThicknessTheNormalScalesLikeTheWhole) {
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 1, 0).normalized()).matrix();
     const TriangleMesh target{3 * source.vertices * turn.transpose(), source.triangles};
     const MorphTarget up{"up", Points(Eigen::RowVector3d(0, 0, 1).replicate(source.n_vertices(), 1))};
-    const TransferredMorphTargets carried = transfer_morph_targets(identity_on(source), source, target, {up});
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(identity_on(source), source, target, {up});
     const Points expected = 3 * up.displacements * turn.transpose();
     EXPECT_LT((carried.morphs[0].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
 }
@@ -84,8 +85,8 @@ TEST(CarryMorphs, PosedTargetTurnsThemPartByPart) {
     const TriangleMesh target = deform(source, {.bend = 4});
     const Points normals = vertex_normals(source), target_normals = vertex_normals(target);
     const MorphTarget outward{"outward", 0.1 * normals};
-    const TransferredMorphTargets carried =
-        transfer_morph_targets(identity_on(source), source, target, {outward});
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(identity_on(source), source, target, {outward});
     const Points error = carried.morphs[0].displacements - 0.1 * target_normals;
     EXPECT_LT(error.rowwise().norm().mean(), 0.1 * 0.2);
     // Left as they were, they would be off by far more.
@@ -100,7 +101,8 @@ TEST(CarryMorphs, OtherConnectivityIsAsGood) {
         surface_map_of({identity_map(source.n_vertices()).image(), target.n_vertices()}, target);
     const SurfaceMap map = invert(there, TriangleMesh{source.vertices * linear, source.triangles}, target);
     const std::vector<MorphTarget> morphs = some_morphs(source);
-    const TransferredMorphTargets carried = transfer_morph_targets(map, source, target, morphs);
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(map, source, target, morphs);
     const Points expected = transfer_values(map, source, morphs[1].displacements) * linear;
     EXPECT_LT((carried.morphs[1].displacements - expected).cwiseAbs().maxCoeff(), 1e-5);
 }
@@ -112,7 +114,8 @@ TEST(CarryMorphs, UnmatchedMoveWithTheirNeighborsAndLoosePartsNotAtAll) {
     SurfaceMap map = identity_on(source);
     for (std::size_t v = 100; v < 140; ++v) map.image[v] = {};
     map.image.resize(static_cast<std::size_t>(target.n_vertices()));
-    const TransferredMorphTargets carried = transfer_morph_targets(map, source, target, {shift});
+    const attributes::TransferredMorphTargets carried =
+        attributes::transfer_morph_targets(map, source, target, {shift});
     EXPECT_EQ(carried.coverage.filled, 40);
     EXPECT_EQ(carried.coverage.guessed, 42);
     const Points& moved = carried.morphs[0].displacements;
@@ -123,11 +126,12 @@ TEST(CarryMorphs, UnmatchedMoveWithTheirNeighborsAndLoosePartsNotAtAll) {
 TEST(CarryMorphs, RefusesMorphsOfAnotherMesh) {
     const TriangleMesh mesh = make_icosphere(1);
     MorphTarget smile{"smile", Points::Zero(41, 3)};
-    test::expect_error<InvalidInput>([&] { transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); },
-                                     "morph 'smile' moves 41 vertices, but the source has 42");
+    test::expect_error<InvalidInput>(
+        [&] { attributes::transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); },
+        "morph 'smile' moves 41 vertices, but the source has 42");
     smile.displacements.setConstant(42, 3, std::nan(""));
-    test::expect_error<InvalidInput>([&] { transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); },
-                                     "not finite");
+    test::expect_error<InvalidInput>(
+        [&] { attributes::transfer_morph_targets(identity_on(mesh), mesh, mesh, {smile}); }, "not finite");
     EXPECT_THROW(morphing::local_linear_maps(identity_on(mesh), mesh, mesh, {.smoothness = 0}), InvalidInput);
 }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
+#include "transfer/attributes.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/invert.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
-#include <counterpart/transfer/attributes.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +45,8 @@ TEST(CarrySkin, PermutationComesBackBitByBit) {
     const SkinBinding skin = binding_by_height(source);
     const ShuffleResult copy = shuffle(source, 5);
     const VertexMap map{copy.shuffled_from_original, copy.mesh.n_vertices()};
-    const TransferredSkin carried =
-        transfer_skin(surface_map_of(invert(map), source), source, copy.mesh, skin);
+    const attributes::TransferredSkin carried =
+        attributes::transfer_skin(surface_map_of(invert(map), source), source, copy.mesh, skin);
     EXPECT_EQ(carried.limited, 0);
     for (Index v = 0; v < source.n_vertices(); ++v) {
         EXPECT_EQ(carried.skin.joints.row(map[v]), skin.joints.row(v));
@@ -66,12 +66,13 @@ TEST(CarrySkin, BetweenVerticesIsInterpolatedJointByJoint) {
     skin.joints.row(b) << 7, 2;
     skin.weights.row(b) << 0.8, 0.2;
     const SurfaceMap map{std::vector<SurfacePoint>(12, {0, {0.25, 0.75, 0}}), source.n_triangles()};
-    const TransferredSkin whole = transfer_skin(map, source, source, skin, {.max_influences = 4});
+    const attributes::TransferredSkin whole =
+        attributes::transfer_skin(map, source, source, skin, {.max_influences = 4});
     EXPECT_NEAR(weight_of(whole.skin, 0, 7), 0.25 * 0.5 + 0.75 * 0.8, 1e-15);
     EXPECT_NEAR(weight_of(whole.skin, 0, 3), 0.25 * 0.5, 1e-15);
     EXPECT_NEAR(weight_of(whole.skin, 0, 2), 0.75 * 0.2, 1e-15);
     // The source binds to two joints at most, so the lightest of three goes and the others sum to 1.
-    const TransferredSkin limited = transfer_skin(map, source, source, skin);
+    const attributes::TransferredSkin limited = attributes::transfer_skin(map, source, source, skin);
     EXPECT_EQ(limited.limited, 12);
     EXPECT_NEAR(weight_of(limited.skin, 0, 7), 0.725 / 0.875, 1e-15);
     EXPECT_NEAR(weight_of(limited.skin, 0, 2), 0.15 / 0.875, 1e-15);
@@ -90,7 +91,7 @@ TEST(CarrySkin, UnmatchedVerticesAreFilledAndLoosePartsFollowTheNearest) {
     SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);
     for (std::size_t v = 100; v < 140; ++v) map.image[v] = {};
     map.image.resize(static_cast<std::size_t>(target.n_vertices()));
-    const TransferredSkin carried = transfer_skin(map, source, target, skin);
+    const attributes::TransferredSkin carried = attributes::transfer_skin(map, source, target, skin);
     EXPECT_EQ(carried.coverage.filled, 40);
     EXPECT_EQ(carried.coverage.guessed, ball.n_vertices());
     EXPECT_EQ(carried.coverage.transferred, source.n_vertices() - 40);
@@ -108,8 +109,8 @@ TEST(CarrySkin, PartsWithoutJointsStayWithout) {
     skin.joints.setZero(mesh.n_vertices(), 4);
     skin.weights.setZero(mesh.n_vertices(), 4);
     skin.weights.col(0).head(42).setOnes();
-    const TransferredSkin carried =
-        transfer_skin(surface_map_of(identity_map(mesh.n_vertices()), mesh), mesh, mesh, skin);
+    const attributes::TransferredSkin carried =
+        attributes::transfer_skin(surface_map_of(identity_map(mesh.n_vertices()), mesh), mesh, mesh, skin);
     EXPECT_EQ(carried.unbound, 48);
     EXPECT_EQ(carried.skin.weights, skin.weights);
 }
@@ -119,7 +120,8 @@ TEST(CarrySkin, MiddlesOfEdgesGetTheMeanOfTheirEnds) {
     const SkinBinding skin = binding_by_height(source);
     const SurfaceMap there =
         surface_map_of({identity_map(source.n_vertices()).image(), target.n_vertices()}, target);
-    const TransferredSkin carried = transfer_skin(invert(there, source, target), source, target, skin);
+    const attributes::TransferredSkin carried =
+        attributes::transfer_skin(invert(there, source, target), source, target, skin);
     const Adjacency adjacency(source);
     Index middle = source.n_vertices();
     for (Index v = 0; v < source.n_vertices(); ++v) {
@@ -141,17 +143,20 @@ TEST(CarrySkin, RefusesWeightsThatMeanNothing) {
     using test::expect_error;
     SkinBinding skin = good;
     skin.weights.row(17).setZero();
-    expect_error<InvalidInput>([&] { transfer_skin(map, mesh, mesh, skin); }, "vertex 17 sum to zero");
+    expect_error<InvalidInput>([&] { attributes::transfer_skin(map, mesh, mesh, skin); },
+                               "vertex 17 sum to zero");
     skin = good;
     skin.weights(3, 1) = -0.5;
-    expect_error<InvalidInput>([&] { transfer_skin(map, mesh, mesh, skin); }, "vertex 3 is negative");
+    expect_error<InvalidInput>([&] { attributes::transfer_skin(map, mesh, mesh, skin); },
+                               "vertex 3 is negative");
     skin = good;
     skin.weights(3, 1) = std::nan("");
-    expect_error<InvalidInput>([&] { transfer_skin(map, mesh, mesh, skin); }, "not finite");
+    expect_error<InvalidInput>([&] { attributes::transfer_skin(map, mesh, mesh, skin); }, "not finite");
     skin = good;
     skin.joints.conservativeResize(10, 4);
-    expect_error<InvalidInput>([&] { transfer_skin(map, mesh, mesh, skin); }, "10 rows of joints");
-    EXPECT_THROW(transfer_skin(map, mesh, mesh, good, {.max_influences = -1}), InvalidInput);
+    expect_error<InvalidInput>([&] { attributes::transfer_skin(map, mesh, mesh, skin); },
+                               "10 rows of joints");
+    EXPECT_THROW(attributes::transfer_skin(map, mesh, mesh, good, {.max_influences = -1}), InvalidInput);
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf_document.hpp"
 #include "support/expect_error.hpp"
+#include "transfer/attributes.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
-#include <counterpart/transfer/attributes.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <limits>
@@ -132,7 +132,7 @@ TEST(CarryNormals, StandToTheSurfaceAsTheyDid) {
     leaning.values.rowwise() += Eigen::RowVector3d(0.3, 0, 0);
     leaning.values.rowwise().normalize();
     const SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);
-    const TransferredCorners carried = transfer_normals(map, source, target, leaning);
+    const attributes::TransferredCorners carried = attributes::transfer_normals(map, source, target, leaning);
     double error = 0;
     for (Index t = 0; t < target.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {
@@ -149,7 +149,7 @@ TEST(CarryNormals, HardEdgesStayHard) {
     TriangleMesh target = source;
     target.vertices.col(0) *= 2;
     const SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);
-    const TransferredCorners carried = transfer_normals(map, source, target, flat);
+    const attributes::TransferredCorners carried = attributes::transfer_normals(map, source, target, flat);
     const Points expected = triangle_normals(target);
     for (Index t = 0; t < target.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {

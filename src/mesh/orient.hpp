@@ -4,7 +4,7 @@
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
-namespace counterpart {
+namespace counterpart::mesh {
 
 struct OrientResult {
     TriangleMesh mesh;        ///< the same vertices and triangles, some with the last two corners swapped
@@ -21,4 +21,4 @@ struct OrientResult {
 /// InvalidInput for an invalid mesh.
 OrientResult orient(MeshView mesh);
 
-}  // namespace counterpart
+}  // namespace counterpart::mesh

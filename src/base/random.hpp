@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::base {
 
 /// SplitMix64 (Steele, Lea, Flood 2014): one seed gives the same sequence with every compiler and standard
 /// library, which the distributions of `<random>` do not guarantee.
@@ -41,4 +41,8 @@ class Random {
     std::uint64_t state_;
 };
 
-}  // namespace counterpart
+}  // namespace counterpart::base
+
+namespace counterpart {
+using namespace base;  // what every module is written with
+}

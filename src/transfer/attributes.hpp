@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace counterpart {
+namespace counterpart::attributes {
 
 struct TransferCornersOptions {
     int n_threads = 0;  ///< 0 = all; does not change the result
@@ -79,4 +79,4 @@ struct TransferredMorphTargets {
 TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_target, MeshView source,
                                                MeshView target, const std::vector<MorphTarget>& morphs);
 
-}  // namespace counterpart
+}  // namespace counterpart::attributes
