@@ -7,13 +7,16 @@
 
 Maps are matched once and kept in the output folder. With --truth FOLDER, which holds NAME.vts for every mesh (line k
 of any two names the same point, counted from 1), scans whose map is off by more than --right, in percent of the square
-root of the area, are left out: a wrong map gives a wrong fit.
+root of the area, are left out: a wrong map gives a wrong fit. With --sheet, scans and fits side by side, in the order
+of the lines, are drawn into one picture.
 """
 
 import argparse
 import json
 import subprocess
 from pathlib import Path
+
+from contact_sheet import contact_sheet
 
 
 def run(program: Path, *arguments: str | Path) -> None:
@@ -51,6 +54,15 @@ def measured(arguments: argparse.Namespace, scan: Path) -> dict:
     }
 
 
+def drawn(arguments: argparse.Namespace, row: dict) -> Path:
+    """Draw a scan, left, and the template fitted to it, right."""
+    fit = arguments.output / f"{row['template']}-{row['scan']}"
+    scan = next(scan for scan in arguments.scans if scan.stem == row["scan"])
+    picture = fit.with_suffix(".png")
+    run(arguments.program, "render", scan, fit.with_suffix(".ply"), "-o", picture, "--size", arguments.tile)
+    return picture
+
+
 def main() -> None:
     """Read the command line, measure, print."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -58,6 +70,8 @@ def main() -> None:
     parser.add_argument("--output", type=Path, required=True, help="folder for maps, fits and reports")
     parser.add_argument("--truth", type=Path, help="folder of NAME.vts")
     parser.add_argument("--right", type=float, default=8, help="largest mean error of a map that is right")
+    parser.add_argument("--sheet", type=Path, help="picture of all fits (.png)")
+    parser.add_argument("--tile", default="480x240", help="size of one fit in it")
     parser.add_argument("template", type=Path)
     parser.add_argument("scans", type=Path, nargs="+")
     arguments = parser.parse_args()
@@ -74,6 +88,8 @@ def main() -> None:
             key: max(row[key] for row in fitted) for key in ("mean_distance_percent", "added_folds_percent", "seconds")
         }
         worst["least_area_ratio"] = min(row["least_area_ratio"] for row in fitted)
+        if arguments.sheet:
+            contact_sheet([drawn(arguments, row) for row in fitted], 4, arguments.sheet)
         print(json.dumps({"fitted": len(fitted), "left_out": len(rows) - len(fitted), "worst": worst}))
 
 

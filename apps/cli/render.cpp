@@ -4,6 +4,7 @@
 #include "load_map.hpp"
 #include "render_figures.hpp"
 #include "truth_options.hpp"
+#include "up_axis.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -82,6 +83,8 @@ void read(RenderCommand& command, const Figure& figure) {
     AttributedMesh source = load_attributed_mesh(command.source, request.common);
     request.source_colors = vertex_colors(source);
     request.source = std::move(source.mesh);
+    if (request.view.up == "auto" && !figure.diagram)
+        request.view.up = guessed_up(request.source, request.common);
     if (!command.target.empty()) {
         AttributedMesh target = load_attributed_mesh(command.target, request.common);
         request.target_colors = vertex_colors(target);
@@ -165,7 +168,9 @@ void add_choices(CLI::App& render, RenderCommand& command) {
             "--view", request.view.direction,
             "View direction: auto, front, back, left, right, top, bottom, or AZIMUTH,ELEVATION in degrees")
         ->capture_default_str();
-    render.add_option("--up", request.view.up, "Up axis of the source: auto, x, y, z, -x, -y or -z")
+    render
+        .add_option("--up", request.view.up,
+                    "Up axis of the source: auto (a guess, which is said), x, y, z, -x, -y or -z")
         ->capture_default_str();
     render
         .add_option("--vertex", request.vertex,

@@ -4,6 +4,7 @@
 #include "console.hpp"
 #include "load_map.hpp"
 #include "truth_options.hpp"
+#include "up_axis.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -32,7 +33,7 @@ struct ViewCommand {
     std::filesystem::path source, target, output;
     std::vector<std::filesystem::path> maps, values;
     TruthOptions truth;
-    std::string up = "y";
+    std::string up = "auto";
     ViewerOptions options;
 };
 
@@ -132,6 +133,7 @@ void run(ViewCommand& command) {
         maps.push_back({"match", loaded.back().vertices});
     }
     ViewerOptions options = command.options;
+    if (command.up == "auto") command.up = guessed_up(source, command.common);
     options.up = render::find_camera(source, {.direction = "front", .up = command.up}).row(1).transpose();
     for (const std::filesystem::path& file : command.values)
         options.values.push_back(values_of(file, source.n_vertices()));
@@ -189,7 +191,8 @@ void add_view(CLI::App& program) {
         *view, command->common.files, "--values", command->values,
         "Numbers per vertex of SOURCE (.npy), to color by: a confidence, a distance. Several may be given");
     add_truth_options(*view, command->common.files, command->truth);
-    view->add_option("--up", command->up, "Up axis of SOURCE: auto, x, y, z, -x, -y or -z")
+    view->add_option("--up", command->up,
+                     "Up axis of SOURCE: auto (a guess, which is said), x, y, z, -x, -y or -z")
         ->check(one_of({"auto", "x", "y", "z", "-x", "-y", "-z"}))
         ->capture_default_str();
     view->add_option("--base", command->options.base_vertex,

@@ -32,12 +32,7 @@ Eigen::Matrix3d surface_covariance(MeshView mesh) {
 }
 
 Eigen::Vector3d find_up(MeshView mesh, const std::string& name) {
-    if (name == "auto") {
-        const Eigen::RowVector3d size =
-            mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
-        const bool lies_along_y = size.y() < 0.6 * size.z() && size.y() < 0.6 * size.x() + 0.25 * size.z();
-        return lies_along_y ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
-    }
+    if (name == "auto") return find_up(mesh, find_up_axis(mesh));
     for (const auto& [axis, direction] : {std::pair{"x", 0}, {"y", 1}, {"z", 2}}) {
         if (name == axis) return Eigen::Vector3d::Unit(direction);
         if (name == std::string("-") + axis) return -Eigen::Vector3d::Unit(direction);

@@ -102,6 +102,11 @@ refuse 2 "--bend must be a number from -360 to 360, not '1000'" deform body x.ob
 refuse 2 "Did you mean 'spectral'" match a.obj b.obj -o x.txt --method spectrl
 for up in -y z auto; do run view a.obj b.obj --map map.txt -o v.html --up $up; done
 
+run view a.obj b.obj --map map.txt -o v.html
+grep -q "^up is y, a guess from the shape; --up sets another" err || fail "view does not say what it took for up"
+run render a.obj -o a.png --size 64x64
+grep -q "^up is y, a guess from the shape; --up sets another" err || fail "render does not say what it took for up"
+
 # ---- quiet, and warnings that name the file ----
 for command in "evaluate a.obj b.obj map.txt" "inspect a.obj" "match a.obj b.obj -o x.txt" "morph a.obj b.obj -n 1 -o frames"; do
   run $command -q

@@ -40,6 +40,40 @@ TEST(Camera, IsARotationThatShowsTheWidestSideUpright) {
     EXPECT_GT(find_camera(ellipsoid(1, 0.3, 3))(1, 2), 0.9) << "z is up where the mesh is flat along y";
 }
 
+// A body along z on four legs.
+TriangleMesh four_legged() {
+    TriangleMesh mesh = ellipsoid(0.5, 0.5, 2);
+    const auto append = [&](const TriangleMesh& part) {
+        const Index first = mesh.n_vertices(), n_triangles = mesh.n_triangles();
+        mesh.vertices.conservativeResize(first + part.n_vertices(), 3);
+        mesh.vertices.bottomRows(part.n_vertices()) = part.vertices;
+        mesh.triangles.conservativeResize(n_triangles + part.n_triangles(), 3);
+        mesh.triangles.bottomRows(part.n_triangles()) = part.triangles.array() + first;
+    };
+    for (const double x : {-0.4, 0.4}) {
+        for (const double z : {-1.5, 1.5}) {
+            TriangleMesh leg = ellipsoid(0.1, 0.8, 0.1);
+            leg.vertices.rowwise() += Eigen::RowVector3d(x, -0.8, z);
+            append(leg);
+        }
+    }
+    return mesh;
+}
+
+TEST(Camera, StandsAnimalsOnTheirFeet) {
+    const TriangleMesh upright = four_legged();
+    EXPECT_EQ(find_up_axis(upright), "y");
+    TriangleMesh on_its_back = upright;
+    on_its_back.vertices.leftCols(2) *= -1;
+    EXPECT_EQ(find_up_axis(on_its_back), "-y");
+    EXPECT_LT(find_camera(on_its_back)(1, 1), -0.9);
+    TriangleMesh on_its_nose = upright;
+    on_its_nose.vertices << upright.vertices.col(0), -upright.vertices.col(2), upright.vertices.col(1);
+    EXPECT_EQ(find_up_axis(on_its_nose), "z");
+    EXPECT_EQ(find_up_axis(make_icosphere(2)), "y") << "nothing speaks for another axis";
+    EXPECT_EQ(find_up_axis(TriangleMesh{Points::Zero(3, 3), Triangles::Zero(1, 3)}), "y") << "no area";
+}
+
 TEST(Camera, OfAMovedTargetShowsTheSamePicture) {
     const TriangleMesh source = ellipsoid(1, 3, 0.5), target = test::moved(source, 5);
     const Camera view = find_camera(source);
