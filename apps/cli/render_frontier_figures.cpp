@@ -9,6 +9,7 @@
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -42,8 +43,12 @@ Image draw_shortcuts(const RenderRequest& request) {
     // Seen from straight above the region.
     const Eigen::Vector3d outward = vertex_normals(mesh).row(center).transpose();
     Camera view = find_camera(mesh, request.view);
-    if (request.view.direction == "auto" && outward.squaredNorm() > 0.5)
-        view = Eigen::Quaterniond::FromTwoVectors(outward, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    if (request.view.direction == "auto" && outward.squaredNorm() > 0.5) {
+        const Eigen::Vector3d axis = outward.cross(Eigen::Vector3d::UnitZ());
+        view = Eigen::AngleAxisd(std::atan2(axis.norm(), outward.z()),
+                                 axis.isZero() ? Eigen::Vector3d::UnitX() : axis.normalized())
+                   .toRotationMatrix();
+    }
     Scene scene;
     add_shortcuts(scene, mesh, Placement(patch_around(mesh, center, radius), view),
                   frontiers_of(mesh, center).level, center, radius);

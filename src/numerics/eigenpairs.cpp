@@ -49,6 +49,8 @@ class ShiftInvert {
     Eigen::SimplicialLDLT<SparseMatrix> factor_;
 };
 
+}  // namespace
+
 Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(stiffness),
                                                                            Eigen::MatrixXd(mass)};
@@ -57,7 +59,7 @@ Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& m
     return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
 }
 
-Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+Eigenpairs spectra_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
                               double tolerance, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
     // Twice as many basis vectors as wanted pairs, Spectra's advice; larger saves restarts but costs memory.
@@ -76,8 +78,6 @@ Eigenpairs lanczos_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix&
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-}  // namespace
-
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
                                double tolerance, const Progress& progress) {
     const auto size = static_cast<int>(stiffness.rows());
@@ -91,7 +91,7 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix
     Eigenpairs pairs = found ? std::move(*found)
                        : is_small
                            ? dense_eigenpairs(stiffness, mass, count)
-                           : lanczos_eigenpairs(stiffness, mass, count, tolerance, part_of(progress, 0.8, 1));
+                           : spectra_eigenpairs(stiffness, mass, count, tolerance, part_of(progress, 0.8, 1));
     report_progress(progress, 1);
     for (Eigen::Index j = 0; j < pairs.vectors.cols(); ++j) {
         auto vector = pairs.vectors.col(j);

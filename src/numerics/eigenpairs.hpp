@@ -24,4 +24,11 @@ struct Eigenpairs {
 Eigenpairs smallest_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
                                double tolerance, const Progress& progress = {});
 
+/// The same by Eigen's dense solver, exact to rounding: O(size^3).
+Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count);
+
+/// The same by Spectra, for what repeats too often and as the oracle of tests. Signs as they come.
+Eigenpairs spectra_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,
+                              double tolerance, const Progress& progress = {});
+
 }  // namespace counterpart::numerics

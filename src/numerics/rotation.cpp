@@ -47,7 +47,14 @@ Eigen::Quaterniond follow_rotation(const Eigen::Matrix3d& covariance, Eigen::Qua
 }
 
 Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-    return Eigen::Quaterniond::FromTwoVectors(from, to);
+    const Eigen::Vector3d a = from.normalized(), b = to.normalized();
+    Eigen::Quaterniond rotation;
+    rotation.w() = 1 + a.dot(b);
+    rotation.vec() = a.cross(b);
+    // Eigen's FromTwoVectors decomposes a matrix for the axis of opposite directions: seconds to compile.
+    constexpr double opposite = 1e-12;
+    if (rotation.w() < opposite) rotation.vec() = a.unitOrthogonal();
+    return rotation.normalized();
 }
 
 Eigen::Quaterniond rotation_from_vector(const Eigen::Vector3d& vector) {

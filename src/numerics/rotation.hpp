@@ -21,8 +21,8 @@ FittedRotation fit_rotation(const Eigen::Matrix3d& covariance);
 /// Newton's step in place of the gradient where that is safe. Ten times faster than an SVD when warm.
 Eigen::Quaterniond follow_rotation(const Eigen::Matrix3d& covariance, Eigen::Quaterniond guess);
 
-/// The rotation by the smallest angle that takes the direction `from` to the direction `to`; compiled once,
-/// because Eigen solves for the axis of opposite directions by a singular value decomposition.
+/// The rotation by the smallest angle that takes the direction `from` to the direction `to`, about any normal
+/// axis if they are opposite.
 Eigen::Quaterniond shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// exp of the rotation vector (axis times angle, radians).

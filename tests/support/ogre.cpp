@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/ogre.hpp"
 
+#include "numerics/rotation.hpp"
+
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
@@ -15,7 +17,7 @@ namespace {
 // A horn, `length` long, that tapers along `along` and leans to one side.
 TriangleMesh horn(const Eigen::Vector3d& root, const Eigen::Vector3d& along, double length) {
     TriangleMesh mesh = make_icosphere(1);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), along);
+    const Eigen::Quaterniond turn = numerics::shortest_rotation(Eigen::Vector3d::UnitZ(), along);
     for (auto p : mesh.vertices.rowwise()) {
         const double height = (p[2] + 1) / 2, width = 0.25 * (1 - 0.6 * height);
         const Eigen::Vector3d shaped(width * p[0] + 0.3 * height * height, 0.8 * width * p[1], height);

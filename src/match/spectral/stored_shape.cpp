@@ -111,8 +111,15 @@ class Reader {
                     std::is_sorted(outer.begin(), outer.end()) &&
                     static_cast<std::size_t>(outer.back()) == values.size() && rows + 1 == outer.size(),
                 "a matrix does not fit together");
-        for (const auto row : inner)
-            require(row >= 0 && static_cast<std::uint64_t>(row) < rows, "a row is out of range");
+        for (std::size_t c = 0; c < rows; ++c) {
+            auto row_before = SparseMatrix::StorageIndex(-1);  // rows increase within a column
+            for (auto i = static_cast<std::size_t>(outer[c]); i < static_cast<std::size_t>(outer[c + 1]);
+                 ++i) {
+                require(inner[i] > row_before && static_cast<std::uint64_t>(inner[i]) < rows,
+                        "a row is out of range or out of order");
+                row_before = inner[i];
+            }
+        }
         const auto n = static_cast<Eigen::Index>(rows);
         matrix = Eigen::Map<const SparseMatrix>(n, n, static_cast<Eigen::Index>(values.size()), outer.data(),
                                                 inner.data(), values.data());

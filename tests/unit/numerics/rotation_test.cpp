@@ -61,6 +61,21 @@ TEST(FollowRotation, IsExactFromNearby) {
     }
 }
 
+TEST(ShortestRotation, TakesOneDirectionToTheOther) {
+    Random random(3);
+    const auto direction = [&] { return random_rotation(random) * Eigen::Vector3d::UnitX(); };
+    for (int i = 0; i < 200; ++i) {
+        const Eigen::Vector3d from = direction();
+        for (const Eigen::Vector3d& to : {Eigen::Vector3d(direction()), from, Eigen::Vector3d(-from),
+                                          Eigen::Vector3d(-from + 1e-9 * direction())}) {
+            const Eigen::Quaterniond turn = shortest_rotation(2 * from, 3 * to);
+            EXPECT_LT((turn * from - to.normalized()).norm(), 1e-6) << i;
+            EXPECT_NEAR(turn.angularDistance(Eigen::Quaterniond::Identity()),
+                        std::atan2(from.cross(to).norm(), from.dot(to)), 1e-6);
+        }
+    }
+}
+
 TEST(FollowRotation, StaysFiniteWhereNothingIsDetermined) {
     const Eigen::Quaterniond start(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitX()));
     EXPECT_LT(follow_rotation(Eigen::Matrix3d::Zero(), start).angularDistance(start), 1e-12);
