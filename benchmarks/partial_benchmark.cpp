@@ -8,16 +8,20 @@
 // FOLDER holds pairs.txt (two names a line), NAME.off and truth/SOURCE__TARGET.txt (line i = target vertex of
 // source vertex i, -1 = none). "dev" is every pair with an even line number from 0, "test" the others. Each
 // source is turned at random. Keys: part=source|target|both|unknown, scale=same|unknown, unpaired=unknown (-1
-// in the truth says nothing) or none (it says that there is no partner), only=SUBSTRING of the pair, swap=1
-// (match target to source). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 /
-// sqrt(target area); the last line on stdout is the summary.
+// in the truth says nothing), none (it says that there is no partner), or inner (so where all neighbors have
+// none either: where the whole's vertices outnumber the part's, several share one), only=SUBSTRING of the
+// pair, swap=1 (match target to source), kept=SHARE (the source's triangles are made anew, with this share of
+// its vertices). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 / sqrt(target area);
+// the last line on stdout is the summary.
 #include "base/random.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/partial.hpp>
+#include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/retriangulate.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +77,17 @@ double mean_error(const VertexMap& map, const VertexMap& truth, const TriangleMe
     return n > 0 ? sum / static_cast<double>(n) : std::nan("");
 }
 
+// Vertices next to one that has a partner; none unless asked for.
+std::vector<char> beside_partners(const TriangleMesh& mesh, const VertexMap& truth, bool asked) {
+    std::vector<char> found(static_cast<std::size_t>(mesh.n_vertices()), 0);
+    if (!asked) return found;
+    const Adjacency adjacency(mesh);
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (truth[v] >= 0)
+            for (const Index w : adjacency.neighbors(v)) found[static_cast<std::size_t>(w)] = 1;
+    return found;
+}
+
 Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
              const Settings& settings, int n_threads) {
     const auto setting = [&](const std::string& key, const std::string& otherwise) {
@@ -83,18 +98,25 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
     TriangleMesh target = read_mesh(folder / (b + ".off")).mesh;
     source.vertices *= std::stod(setting("times", "1"));
     VertexMap truth = read_vertex_map(folder / "truth" / (a + "__" + b + ".txt"));
+    if (const double kept = std::stod(setting("kept", "0")); kept > 0) {
+        RetriangulateResult other = retriangulate(source, {.kept_share = kept, .seed = seed});
+        source = std::move(other.mesh);
+        truth = compose_maps(VertexMap(std::move(other.original_from_mesh), truth.source_size()), truth);
+    }
     const bool swap = setting("swap", "0") == "1";
     if (swap) {
         std::swap(source, target);
         truth = invert(VertexMap(truth.image(), source.n_vertices()));
     }
+    const std::vector<char> says_nothing =
+        beside_partners(source, truth, setting("unpaired", "none") == "inner");
     PartialOptions options{.part = part_named(setting("part", "unknown")), .n_threads = n_threads};
     options.same_scale = setting("scale", "same") == "same";
     Stopwatch watch;
     const PartialResult result = match_partial(source, target, options);
     watch.lap("match");
 
-    const bool none_is_known = setting("unpaired", "none") == "none";
+    const bool none_is_known = setting("unpaired", "none") != "unknown";
     std::vector<double> errors;
     const double mean = mean_error(result.target_from_source, truth, target, &errors);
     std::sort(errors.begin(), errors.end());
@@ -105,7 +127,7 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
         if (v < truth.source_size() && truth[v] >= 0) {
             ++paired, missed += matched ? 0 : 1, common += matched ? 1 : 0;
             sure_sum += matched ? result.confidence[v] : 0;
-        } else if (none_is_known) {
+        } else if (none_is_known && says_nothing[static_cast<std::size_t>(v)] == 0) {
             ++unpaired, invented += matched ? 1 : 0;
             doubt_sum += matched ? result.confidence[v] : 0;
         }
