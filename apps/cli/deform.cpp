@@ -6,11 +6,19 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/mesh/deform.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/part_of_mesh.hpp>
+#include <counterpart/mesh/retriangulate.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/render/visible.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -25,24 +33,88 @@ struct DeformCommand {
     BodyOptions body{.subdivisions = 3};
     std::uint64_t shuffle_seed = 0;  // 0 = do not shuffle
     bool move = false;
+    double cut_share = 0;
+    std::string cut_from = "top", seen_from;
+    int holes = 0;
+    double hole_radius = 0.1, kept_vertices = 0;
 };
 
+// The mesh, and where the vertices of the input went.
+struct Derived {
+    TriangleMesh mesh;
+    std::vector<Index> mesh_from_input;
+
+    explicit Derived(TriangleMesh input) : mesh(std::move(input)) {
+        mesh_from_input.resize(static_cast<std::size_t>(mesh.n_vertices()));
+        std::iota(mesh_from_input.begin(), mesh_from_input.end(), 0);
+    }
+    // By a mesh of some of the vertices.
+    void replace(TriangleMesh by, const std::vector<Index>& old_from_new) {
+        std::vector<Index> new_from_old(static_cast<std::size_t>(mesh.n_vertices()), VertexMap::unmatched);
+        for (std::size_t v = 0; v < old_from_new.size(); ++v)
+            new_from_old[static_cast<std::size_t>(old_from_new[v])] = static_cast<Index>(v);
+        renumber(new_from_old);
+        mesh = std::move(by);
+    }
+    void renumber(const std::vector<Index>& new_from_old) {
+        for (Index& v : mesh_from_input)
+            if (v != VertexMap::unmatched) v = new_from_old[static_cast<std::size_t>(v)];
+    }
+};
+
+// Without `share` of its vertices, those farthest toward the camera of that name.
+PartOfMesh without_share(const TriangleMesh& mesh, double share, const std::string& from) {
+    const Eigen::RowVector3d away = -render::find_camera(mesh, {.direction = from}).row(2);
+    const Vector height = mesh.vertices * away.transpose();
+    std::vector<double> sorted(height.begin(), height.end());
+    const auto place =
+        sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
+    std::nth_element(sorted.begin(), place, sorted.end());
+    return cut_by_plane(mesh, away, *place);
+}
+
+void take_apart(const DeformCommand& command, Derived& derived) {
+    const TriangleMesh& mesh = derived.mesh;
+    const auto keep = [&](PartOfMesh part) { derived.replace(std::move(part.mesh), part.whole_from_part); };
+    if (command.cut_share > 0) keep(without_share(mesh, command.cut_share, command.cut_from));
+    if (command.holes > 0)
+        keep(cut_holes(mesh, command.holes, command.hole_radius * std::sqrt(surface_area(mesh)),
+                       command.options.seed));
+    if (!command.seen_from.empty())
+        keep(part_of(mesh, render::visible_triangles(
+                               mesh, render::find_camera(mesh, {.direction = command.seen_from}))));
+    if (command.kept_vertices > 0) {
+        RetriangulateResult other =
+            retriangulate(mesh, {.kept_share = command.kept_vertices, .seed = command.options.seed});
+        derived.replace(std::move(other.mesh), other.original_from_mesh);
+    }
+    if (mesh.n_triangles() == 0)
+        throw InvalidInput("nothing is left of the mesh: cut off less, or make fewer or smaller holes");
+}
+
 void run(const DeformCommand& command) {
-    if (!command.truth.empty() && command.shuffle_seed == 0)
-        throw InvalidInput("--truth needs --shuffle: without it the true map is the identity");
-    TriangleMesh mesh =
-        command.input == "body" ? make_body(command.body) : load_mesh(command.input, command.common);
+    const bool takes_apart =
+        command.cut_share > 0 || command.holes > 0 || !command.seen_from.empty() || command.kept_vertices > 0;
+    if (!command.truth.empty() && command.shuffle_seed == 0 && !takes_apart)
+        throw InvalidInput(
+            "--truth needs --shuffle, --cut, --holes, --seen-from or --retriangulate: without them the true "
+            "map is the identity");
+    Derived derived(command.input == "body" ? make_body(command.body)
+                                            : load_mesh(command.input, command.common));
     DeformOptions options = command.options;
     options.bend = command.bend_degrees * std::numbers::pi / 180;
     options.twist = command.twist_degrees * std::numbers::pi / 180;
+    take_apart(command, derived);
+    TriangleMesh& mesh = derived.mesh;
     mesh = deform(mesh, options);
     if (command.move) mesh = move_at_random(mesh, options.seed);
     if (command.shuffle_seed != 0) {
         ShuffleResult shuffled = shuffle(mesh, command.shuffle_seed);
         mesh = std::move(shuffled.mesh);
-        if (!command.truth.empty())
-            write_vertex_map({std::move(shuffled.shuffled_from_original), mesh.n_vertices()}, command.truth);
+        derived.renumber(shuffled.shuffled_from_original);
     }
+    if (!command.truth.empty())
+        write_vertex_map({std::move(derived.mesh_from_input), mesh.n_vertices()}, command.truth);
     write_mesh(mesh, command.output);
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
                                     command.output.string()));
@@ -55,6 +127,10 @@ void run(const DeformCommand& command) {
                   {"twist_degrees", command.twist_degrees},
                   {"warp", options.warp},
                   {"seed", options.seed},
+                  {"cut_share", command.cut_share},
+                  {"holes", command.holes},
+                  {"seen_from", command.seen_from},
+                  {"kept_vertices", command.kept_vertices},
                   {"moved", command.move},
                   {"shuffle_seed", command.shuffle_seed}},
                  command.common);
@@ -85,7 +161,9 @@ void add_deform(CLI::App& program) {
                      "Size of a smooth random displacement, as a fraction of the mesh's length; 0 to 0.5")
         ->check(number(0.0, 0.5))
         ->capture_default_str();
-    deform->add_option("--seed", command->options.seed, "Random seed for --warp and --move")
+    deform
+        ->add_option("--seed", command->options.seed,
+                     "Random seed for --warp, --holes, --retriangulate and --move")
         ->check(whole_number(0))
         ->capture_default_str();
     deform
@@ -93,6 +171,35 @@ void add_deform(CLI::App& program) {
                      "Subdivisions of the built-in figure; each quadruples its vertices; 0 to 7")
         ->check(whole_number(0, 7))
         ->capture_default_str();
+    const std::string parts = "As a scanner delivers it (before it is deformed)";
+    deform
+        ->add_option("--cut", command->cut_share, "Cut off this share of the vertices by a plane; 0 to 0.99")
+        ->check(number(0.0, 0.99))
+        ->group(parts);
+    deform
+        ->add_option("--cut-from", command->cut_from,
+                     "Where --cut takes them off: front, back, left, right, top, bottom, or "
+                     "AZIMUTH,ELEVATION in degrees")
+        ->capture_default_str()
+        ->group(parts);
+    deform->add_option("--holes", command->holes, "Cut this many holes at random; 0 to 1000")
+        ->check(whole_number(0, 1000))
+        ->group(parts);
+    deform
+        ->add_option("--hole-radius", command->hole_radius,
+                     "Of the holes, in units of the square root of the area; 0 to 1")
+        ->check(number(0.0, 1.0))
+        ->capture_default_str()
+        ->group(parts);
+    deform
+        ->add_option("--seen-from", command->seen_from,
+                     "Keep what a camera sees from there: a direction as of --cut-from")
+        ->group(parts);
+    deform
+        ->add_option("--retriangulate", command->kept_vertices,
+                     "Other triangles, with this share of the vertices; 0.05 to 1")
+        ->check(number(0.05, 1.0))
+        ->group(parts);
     deform->add_flag("--move", command->move,
                      "Apply a random rotation, translation, and scale from 0.5 to 2");
     deform
@@ -100,7 +207,7 @@ void add_deform(CLI::App& program) {
                      "Shuffle vertices and triangles with this random seed. Default: off")
         ->check(whole_number(1));
     add_output(*deform, command->common.files, "--truth", command->truth, Content::map,
-               "Write the true map to this file: line i = new index of vertex i")
+               "Write the true map to this file: line i = new index of vertex i, -1 if it is gone")
         ->type_name("FILE");
     add_common_options(*deform, command->common);
     on_run(*deform, command->common, [command] { run(*command); });

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Parts of a mesh, with the vertices they came from.
+// Parts of a mesh, with their true maps.
 #pragma once
 
 #include <counterpart/map/vertex_map.hpp>
-#include <counterpart/mesh/triangle_mesh.hpp>
+#include <counterpart/mesh/part_of_mesh.hpp>
 
 #include <functional>
 
