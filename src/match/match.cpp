@@ -99,14 +99,24 @@ class Matching {
             reason_ = fmt::format("the connectivity does not decide ({})", error.what());
         }
         const auto [fewer, more] = std::minmax({source_.n_vertices(), target_.n_vertices()});
-        if (fewer < least_min_shared * more) return false;
+        const bool is_part = shows_a_part();
+        if (!is_part && fewer < least_min_shared * more) return false;
         const MeshDifferences& shared = find_shared(exact_ends, differences_end);
-        if (shared.is_ambiguous || std::min(shared.source_share, shared.target_share) < options_.min_shared)
-            return false;
-        reason_ = "the meshes have nearly the same connectivity: " + shared.summary;
+        const auto [less_shared, more_shared] = std::minmax({shared.source_share, shared.target_share});
+        // What a part lacks cannot be shared.
+        if (shared.is_ambiguous || (is_part ? more_shared : less_shared) < options_.min_shared) return false;
+        reason_ = less_shared < options_.min_shared
+                      ? "the connectivity of one mesh is a part of the other's: "
+                      : "the meshes have nearly the same connectivity: ";
+        reason_ += shared.summary;
         take_shared();
-        fill_gaps();
+        if (shared.source_share >= options_.min_shared) fill_gaps();
         return true;
+    }
+
+    bool shows_a_part() const {
+        const Part part = options_.partial.part;
+        return (part == Part::unknown ? partial_match::seen_part(source_, target_) : part) != Part::neither;
     }
 
     bool exact(double begin, double end) {

@@ -30,7 +30,7 @@ std::string to_string(MatchMethod method);
 struct MatchOptions {
     MatchMethod method = MatchMethod::automatic;
     /// Automatic keeps the exact map of what the meshes share if it covers at least this share of the
-    /// vertices of both, 0.5 .. 1.
+    /// vertices of both, or, where a mesh is open or said to be a part, of one of them, 0.5 .. 1.
     double min_shared = 0.9;
     /// Of the methods; their n_threads and progress are replaced by those below.
     ExactOptions exact{};
@@ -70,9 +70,9 @@ struct MatchResult {
 /// Which target vertex is each source vertex? With method automatic:
 ///
 ///   1. the same connectivity: the isomorphism, which is exact (match_exact);
-///   2. nearly the same (min_shared of both meshes agree): the partial isomorphism (find_differences), and
-///   the
-///      vertices between follow those around them over the surface (complete_map);
+///   2. nearly the same, or a part of it (see min_shared): the partial isomorphism (find_differences);
+///      vertices between follow those around them over the surface (complete_map), and what a part lacks
+///      gets -1;
 ///   3. where a mesh is open, or said to be a part: the partial map (match_partial), -1 for what has no
 ///      partner;
 ///   4. otherwise the spectral map (match_spectral), which matches every vertex;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "support/cuts.hpp"
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
@@ -73,6 +74,28 @@ TEST(Match, AFlippedEdgeLeavesTheRestExact) {
     EXPECT_EQ((result.confidence.array() == 0).count(), result.n_filled);
     EXPECT_GT((result.confidence.array() == 1).count(), 0.99 * source.n_vertices());
     EXPECT_FALSE(result.spectral.has_value());
+}
+
+// Connectivity decides also where one mesh lacks most of the other: exact where partial matching slides.
+TEST(Match, APartInOtherNumbersIsExactInBothDirections) {
+    const TriangleMesh whole = make_body({.subdivisions = 2});
+    const test::PartOfMesh part = test::cut_by_plane(whole, {0.2, 1, 0.1}, whole.vertices.col(1).mean());
+    const test::DisguisedMesh other = disguised(deform(part.mesh, {.bend = 0.4}));
+    const VertexMap truth = compose_maps(invert(other.mesh_from_original), part.whole_from_part);
+    const MatchResult there = match(other.mesh, whole), back = match(whole, other.mesh);
+    for (const MatchResult* result : {&there, &back}) {
+        EXPECT_EQ(result->method, MatchMethod::exact);
+        expect_part(result->reason, "is a part of the other's");
+    }
+    Index wrong = 0, invented = 0;
+    const VertexMap part_from_whole = invert(truth);
+    for (Index v = 0; v < truth.source_size(); ++v)
+        if (there.target_from_source[v] != truth[v]) ++wrong;
+    for (Index v = 0; v < whole.n_vertices(); ++v)
+        if (back.target_from_source[v] != part_from_whole[v]) ++invented;
+    EXPECT_LE(wrong, truth.source_size() / 100);
+    EXPECT_LE(invented, whole.n_vertices() / 100);
+    EXPECT_LT(count_matched(back.target_from_source), 0.7 * whole.n_vertices());
 }
 
 TEST(Match, ARemovedVertexFollowsThoseAroundIt) {
