@@ -207,15 +207,15 @@ class PartialMatching {
                 {target_from_source(
                      partners(*part_, *whole_, found[i].bent, part_is_covered(), tuning_.overlap)),
                  found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.trust)});
-        const Vector of_part_vertices = confidence(*part_, *whole_, found, tuning_.trust);
+        const Vector of_part_vertices = confidence(*part_, *whole_, found, best.misfit, tuning_.trust);
         result_.confidence.resize(result_.target_from_source.source_size());
         for (Index v = 0; v < result_.confidence.size(); ++v) {
             const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
             const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
             result_.confidence[v] =
-                on_part < 0 ? trust(found.front(), tuning_.trust) : of_part_vertices[on_part];
+                on_part < 0 ? trust(found.front(), best.misfit, tuning_.trust) : of_part_vertices[on_part];
         }
-        result_.warnings = warnings(result_, source_, target_, tuning_.trust);
+        result_.warnings = warnings(result_, source_, target_, best.misfit, tuning_.trust);
         watch_.lap("confidence");
     }
 

@@ -11,6 +11,9 @@ namespace counterpart::partial_match {
 /// Who has a partner once the part lies on the other surface: -1 for those that have none.
 struct PartnerMaps {
     std::vector<Index> whole_from_part, part_from_whole;
+    /// Of the area that does not lie beyond the other surface's boundary, the share without a partner: where
+    /// parts overlap, all of that should have one. The larger of both; 0 if the part is covered.
+    double misfit = 0;
 };
 
 /// Step 7. A vertex is paired with the closest in place and normal on the other surface, unless that is too

@@ -33,8 +33,9 @@ void add_mesh_warnings(const spectral_match::Preprocessed& mesh, const std::stri
 
 }  // namespace
 
-double trust(const Fit& fit, const TrustTuning& tuning) {
-    return 1 / (1 + std::exp(-(fit.score - tuning.half_score) / tuning.score_width));
+double trust(const Fit& fit, double misfit, const TrustTuning& tuning) {
+    const double alike = 1 / (1 + std::exp(-(fit.score - tuning.half_score) / tuning.score_width));
+    return alike / (1 + std::exp((misfit - tuning.half_misfit) / tuning.misfit_width));
 }
 
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
@@ -45,10 +46,10 @@ double share_moved(const BentSource& a, const BentSource& b, const Surface& whol
     return static_cast<double>(moved) / static_cast<double>(a.image.size());
 }
 
-Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found,
+Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
                   const TrustTuning& tuning) {
     const Fit& best = found.front();
-    const double all = trust(best, tuning);
+    const double all = trust(best, misfit, tuning);
     Vector result(part.mesh.n_vertices());
     for (Index v = 0; v < part.mesh.n_vertices(); ++v) {
         const auto i = static_cast<std::size_t>(v);
@@ -66,7 +67,8 @@ Vector confidence(const Surface& part, const Surface& whole, const std::vector<F
 }
 
 std::vector<std::string> warnings(const PartialResult& result, const spectral_match::Preprocessed& source,
-                                  const spectral_match::Preprocessed& target, const TrustTuning& tuning) {
+                                  const spectral_match::Preprocessed& target, double misfit,
+                                  const TrustTuning& tuning) {
     std::vector<std::string> sentences;
     add_mesh_warnings(source, "source", sentences);
     add_mesh_warnings(target, "target", sentences);
@@ -76,6 +78,11 @@ std::vector<std::string> warnings(const PartialResult& result, const spectral_ma
                         "show the same thing, or "
                         "their scales differ; do not rely on this map",
                         result.score));
+    if (misfit > tuning.much_misfit)
+        sentences.push_back(fmt::format(
+            "{:.0f} % of a mesh lies where the other goes on and yet fits nothing there: the parts "
+            "may not overlap, or not as they were matched; do not rely on this map without a look",
+            100 * misfit));
     if (result.margin < tuning.close_margin)
         sentences.push_back(fmt::format(
             "the part fits elsewhere nearly as well (score {:.3f} against {:.3f}; {:.0f} % of it goes "

@@ -108,6 +108,17 @@ TEST_F(MatchPartial, PartsThatOverlap) {
     EXPECT_LT(error(on_other, a.whole_from_part), 8);
 }
 
+TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
+    const double knees = whole.vertices.col(1).mean() - 0.15 * length;
+    const test::PartOfMesh top = upper(), legs = test::cut_by_plane(whole, {0, -1, 0}, -knees);
+    const PartialResult result = match_partial(legs.mesh, top.mesh, known);
+    EXPECT_EQ(result.part, Part::both);
+    EXPECT_LT(result.confidence.mean(), 0.2);
+    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& said) {
+        return said.find("may not overlap") != std::string::npos;
+    }));
+}
+
 TEST_F(MatchPartial, HolesAreMatchedAround) {
     const test::PartOfMesh part = test::with_holes(whole, 5, 0.12 * length, 3);
     const PartialResult result = match_partial(part.mesh, other, {.same_scale = true, .n_samples = 600});
