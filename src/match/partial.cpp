@@ -187,8 +187,8 @@ class PartialMatching {
     }
 
     void take(const std::vector<Fit>& found) {
-        const PartnerMaps best =
-            partners(*part_, *whole_, found.front().bent, part_is_covered(), tuning_.overlap);
+        const PartnerMaps best = partners(*part_, *whole_, found.front().bent, part_is_covered(),
+                                          tuning_.overlap, tuning_.islands);
         watch_.lap("partners");
         result_.target_from_source = target_from_source(best);
         result_.source_from_target =
@@ -204,8 +204,8 @@ class PartialMatching {
         result_.target_share = bends_source_ ? whole_share : part_share;
         for (std::size_t i = 1; i < found.size() && static_cast<int>(i) <= options_.n_alternatives; ++i)
             result_.alternatives.push_back(
-                {target_from_source(
-                     partners(*part_, *whole_, found[i].bent, part_is_covered(), tuning_.overlap)),
+                {target_from_source(partners(*part_, *whole_, found[i].bent, part_is_covered(),
+                                             tuning_.overlap, tuning_.islands)),
                  found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.trust)});
         const Vector of_part_vertices = confidence(*part_, *whole_, found, best.misfit, tuning_.trust);
         result_.confidence.resize(result_.target_from_source.source_size());

@@ -3,10 +3,12 @@
 #include "match/partial/overlap.hpp"
 
 #include "base/parallel.hpp"
+#include "match/partial/islands.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpart::partial_match {
 namespace {
@@ -43,7 +45,7 @@ double misfit(const std::vector<Place>& places, const TriangleMesh& mesh) {
 }  // namespace
 
 PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource& bent, bool part_is_covered,
-                     const OverlapTuning& tuning) {
+                     const OverlapTuning& tuning, const IslandTuning& island_tuning) {
     const Placed a{bent.positions, bent.normals, part.on_boundary, mean_edge_length(part.mesh)},
         b{whole.mesh.vertices, whole.normals, whole.on_boundary, mean_edge_length(whole.mesh)};
     PartnerMaps maps{bent.image, std::vector<Index>(static_cast<std::size_t>(whole.mesh.n_vertices()), -1)};
@@ -62,6 +64,10 @@ PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource
         if (of_part[v] != Place::partner) maps.whole_from_part[v] = -1;
     }
     maps.misfit = std::max(misfit(of_part, part.mesh), misfit(of_whole, whole.mesh));
+    maps.whole_from_part =
+        without_islands(std::move(maps.whole_from_part), part.mesh, whole.mesh, island_tuning);
+    maps.part_from_whole =
+        without_islands(std::move(maps.part_from_whole), whole.mesh, part.mesh, island_tuning);
     return maps;
 }
 

@@ -18,9 +18,8 @@ struct PartnerMaps {
 
 /// Step 7. A vertex is paired with the closest in place and normal on the other surface, unless that is too
 /// far, or lies on the boundary while the vertex is beyond it. If the whole surface has a place for all of
-/// the part
-/// (`part_is_covered`), every vertex of the part is paired.
+/// the part (`part_is_covered`), every vertex of the part is paired; else islands are left out.
 PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource& bent, bool part_is_covered,
-                     const OverlapTuning& tuning);
+                     const OverlapTuning& tuning, const IslandTuning& island_tuning);
 
 }  // namespace counterpart::partial_match
