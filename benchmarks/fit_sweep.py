@@ -50,6 +50,7 @@ def measured(arguments: argparse.Namespace, scan: Path) -> dict:
         "mean_distance_percent": fit["mean_distance_percent_of_diagonal"],
         "added_folds_percent": fit["folded_edges_percent"] - fit["own_folded_edges_percent"],
         "least_area_ratio": fit["least_area_ratio"],
+        "bare_percent": fit["bare_percent"],
         "seconds": fit["seconds"]["fit"],
     }
 
@@ -84,9 +85,8 @@ def main() -> None:
         print(json.dumps(rows[-1]), flush=True)
     fitted = [row for row in rows if "left_out" not in row]
     if fitted:
-        worst = {
-            key: max(row[key] for row in fitted) for key in ("mean_distance_percent", "added_folds_percent", "seconds")
-        }
+        upper = ("mean_distance_percent", "added_folds_percent", "bare_percent", "seconds")
+        worst = {key: max(row[key] for row in fitted) for key in upper}
         worst["least_area_ratio"] = min(row["least_area_ratio"] for row in fitted)
         if arguments.sheet:
             contact_sheet([drawn(arguments, row) for row in fitted], 4, arguments.sheet)

@@ -8,6 +8,7 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/npy.hpp>
+#include <counterpart/mesh/measure.hpp>
 #include <counterpart/render/color.hpp>
 
 #include <algorithm>
@@ -40,11 +41,22 @@ CornerAttribute colors_of(const Vector& distance, double largest, const Triangle
     return colors;
 }
 
+// The share of the scan's surface, in percent, that lies farther from the fit than 2 % of the diagonal: no
+// inaccuracy then, but a part that nothing was laid on.
+double bare_percent(const FitResult& fit, const TriangleMesh& scan, double diagonal) {
+    constexpr double far = 0.02;
+    const Vector areas = vertex_areas(scan);
+    const double all = areas.sum();
+    const double bare = (fit.scan_distance.array() > far * diagonal).select(areas, 0).sum();
+    return all > 0 ? 100 * bare / all : 0;
+}
+
 Json report_of(const FitResult& fit, double diagonal) {
     return {{"mean_distance", fit.distance.mean()},
             {"mean_distance_percent_of_diagonal", 100 * fit.distance.mean() / diagonal},
             {"p95_distance", quantile(fit.distance, 0.95)},
             {"largest_distance", fit.distance.maxCoeff()},
+            {"mean_scan_distance_percent_of_diagonal", 100 * fit.scan_distance.mean() / diagonal},
             {"folded_edges_percent", 100 * fit.folded_edges},
             {"own_folded_edges_percent", 100 * fit.own_folded_edges},
             {"least_area_ratio", fit.least_area_ratio},
@@ -86,6 +98,13 @@ void run(const FitCommand& command) {
         fmt::format("folded edges: {:.2f} % ({:.2f} % in the template); {} of {} vertices "
                     "follow their neighbors",
                     100 * fit.folded_edges, 100 * fit.own_folded_edges, fit.n_free, model.mesh.n_vertices()));
+    const double bare = bare_percent(fit, scan, diagonal);
+    constexpr double worth_a_word = 0.5;
+    if (bare >= worth_a_word)
+        warn(fmt::format(
+            "{:.1f} % of {} lies bare, farther than 2 % of the diagonal from the fit: the template "
+            "lacks that part, or the map leaves it out (landmarks there help)",
+            bare, command.scan.string()));
     if (command.color) say(command.common, fmt::format("colors: pale 0 to dark {:.3g} mesh units", largest));
     say(command.common,
         fmt::format("fitted {} vertices in {:.2f} s -> {}{}", model.mesh.n_vertices(),
@@ -96,6 +115,7 @@ void run(const FitCommand& command) {
                    {"vertices", model.mesh.n_vertices()}};
     report.update(found.report);
     report.update(report_of(fit, diagonal));
+    report["bare_percent"] = bare;
     report["seconds"] = to_json(watch.stages());
     write_report(report, command.common);
 }

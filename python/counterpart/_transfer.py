@@ -288,6 +288,8 @@ class FitResult(Result):
     """(n_template, 3): of the template, on the scan."""
     distance: FloatArray
     """(n_template,): from there to the scan's surface, in mesh units."""
+    scan_distance: FloatArray
+    """(n_scan,): from there to the fitted surface; large where the scan lies bare."""
     folded_edges: float
     """Share of the edges whose two triangles face away from each other."""
     own_folded_edges: float

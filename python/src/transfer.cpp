@@ -80,7 +80,8 @@ nb::dict fit(const Mesh& model, const Mesh& scan, const IndexArray& triangle, co
                             .progress = std::move(report)});
     });
     return dictionary_of("vertices", matrix_array(std::move(result.vertices)), "distance",
-                         array(std::move(result.distance)), "folded_edges", result.folded_edges,
+                         array(std::move(result.distance)), "scan_distance",
+                         array(std::move(result.scan_distance)), "folded_edges", result.folded_edges,
                          "own_folded_edges", result.own_folded_edges, "least_area_ratio",
                          result.least_area_ratio, "n_free", result.n_free);
 }

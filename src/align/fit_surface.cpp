@@ -57,6 +57,15 @@ std::vector<char> rim_of(MeshView scan) {
     return rim;
 }
 
+Vector distances(PointsView points, const numerics::ClosestTriangle& surface) {
+    Vector result(points.rows());
+    parallel_for(static_cast<std::size_t>(points.rows()), 64, [&](std::size_t i) {
+        const auto v = static_cast<Eigen::Index>(i);
+        result[v] = std::sqrt(surface.closest(points.row(v).transpose()).squared_distance);
+    });
+    return result;
+}
+
 // One fit: positions, and what draws them.
 class SurfaceFit {
   public:
@@ -264,11 +273,8 @@ class SurfaceFit {
     FitResult measured() const {
         FitResult result;
         result.vertices = now_;
-        result.distance.resize(now_.rows());
-        parallel_for(static_cast<std::size_t>(now_.rows()), 64, [&](std::size_t i) {
-            const auto v = static_cast<Eigen::Index>(i);
-            result.distance[v] = std::sqrt(closest_.closest(now_.row(v).transpose()).squared_distance);
-        });
+        result.distance = distances(now_, closest_);
+        result.scan_distance = distances(scan_.vertices, {now_, rest_.triangles});
         const auto share = [&](const std::vector<char>& folds) {
             return folds.empty() ? 0.0
                                  : static_cast<double>(std::count(folds.begin(), folds.end(), 1)) /

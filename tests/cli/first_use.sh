@@ -52,6 +52,8 @@ done
 run fit fine.obj a.obj -o x.obj --report r.json
 grep -qE '^(use|check: .*|do not use: .*)$' err && grep -q '"verdict_reason"' r.json || { cat err; fail "fit says no verdict"; }
 
+! grep -q "lies bare" err || { cat err; fail "a figure that is all covered lies bare"; }
+
 # A torus is no figure: also the last line says so.
 python3 - << 'END'
 from math import cos, sin, pi
@@ -68,6 +70,7 @@ with open("torus.obj", "w") as out:
 END
 run fit a.obj torus.obj -o x.obj --report r.json
 grep -q '^do not use: ' err && grep -q '"verdict": "do not use"' r.json || { cat err; fail "a figure fitted to a torus is not doubted"; }
+grep -q '^warning: .* % of torus.obj lies bare' err || { cat err; fail "fit does not say that most of the torus lies bare"; }
 tail -1 err | grep -q "by a map that is not to be used" || { cat err; fail "a fit by a useless map ends like a success"; }
 
 # ---- a blend shape in another scale ----

@@ -25,8 +25,9 @@ struct FitOptions {
 };
 
 struct FitResult {
-    Points vertices;  ///< of the template, on the scan
-    Vector distance;  ///< per template vertex: from there to the scan's surface, mesh units
+    Points vertices;       ///< of the template, on the scan
+    Vector distance;       ///< per template vertex: from there to the scan's surface, mesh units
+    Vector scan_distance;  ///< per scan vertex: from there to the fitted surface; large where it lies bare
     /// Edges whose two triangles face away from each other (normals more than 90 degrees apart), as a share
     /// of the edges with two triangles: in the fit, and in the template itself.
     double folded_edges = 0, own_folded_edges = 0;

@@ -68,6 +68,23 @@ TEST(FitSurface, FollowsItsSurroundingsWhereTheMapAndTheScanEnd) {
     EXPECT_GT(fit.vertices.col(1).maxCoeff(), cut + 0.1 * diagonal(mesh));
 }
 
+TEST(FitSurface, TellsWhatOfTheScanLiesBare) {
+    const TriangleMesh mesh = template_body(), scan = bent(mesh);
+    const SurfaceMap map = surface_map_of(identity_map(mesh.n_vertices()), scan);
+    EXPECT_LT(fit_surface(mesh, scan, map).scan_distance.maxCoeff(), 0.01 * diagonal(scan));
+    // A second body beside it, on which nothing is laid.
+    TriangleMesh two = scan;
+    const Index n = scan.n_vertices(), f = scan.n_triangles();
+    two.vertices.conservativeResize(2 * n, 3);
+    two.vertices.bottomRows(n) = scan.vertices.rowwise() + Eigen::RowVector3d(0, 0, 2 * diagonal(scan));
+    two.triangles.conservativeResize(2 * f, 3);
+    two.triangles.bottomRows(f) = scan.triangles.array() + n;
+    const FitResult fit = fit_surface(mesh, two, map);
+    ASSERT_EQ(fit.scan_distance.size(), 2 * n);
+    EXPECT_LT(fit.scan_distance.head(n).maxCoeff(), 0.01 * diagonal(two));
+    EXPECT_GT(fit.scan_distance.tail(n).minCoeff(), diagonal(scan));
+}
+
 TEST(FitSurface, NothingCrumplesWhereTheMapIsScrambled) {
     const TriangleMesh mesh = template_body(), scan = bent(mesh);
     Index hand = 0;
