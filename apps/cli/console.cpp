@@ -91,6 +91,11 @@ std::string readable(double number) {
     return is_plain ? fmt::format("{:.0f}", number) : fmt::format("{:.3g}", number);
 }
 
+std::string rounded_percent(double share) {
+    constexpr double least = 0.005;  // that is not 0 % when rounded
+    return share > 0 && share < least ? "less than 1 %" : fmt::format("{:.0f} %", 100 * share);
+}
+
 void say(const CommonOptions& options, const std::string& message) {
     if (!options.quiet) std::fputs((message + "\n").c_str(), stderr);
 }

@@ -46,6 +46,8 @@ void on_run(CLI::App& command, CommonOptions& options, Run run) {
 std::string counted(Index count, const std::string& noun);
 /// A number that people read: three digits, never an exponent for what is not tiny or huge.
 std::string readable(double number);
+/// "12 %", and "less than 1 %" of what is not nothing.
+std::string rounded_percent(double share);
 
 /// One line on stderr, unless --quiet.
 void say(const CommonOptions& options, const std::string& message);

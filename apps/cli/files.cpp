@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 
@@ -41,9 +42,13 @@ const Endings& endings_of(Content content) {
         {Content::table, {"a table", {}}},
         {Content::report, {"a report", {}}},
         {Content::frames, {"the frames", {}}},
-        {Content::prefix, {"maps", {}}}};
+        {Content::prefix, {"maps", {}}},
+        {Content::folder, {"files", {}}}};
     return endings.at(content);
 }
+
+// Of its own, which is made if it is not there.
+bool fills_folder(Content content) { return content == Content::frames || content == Content::folder; }
 
 // Endings that promise something else to whoever opens the file.
 std::string other_content(const fs::path& file, Content content) {
@@ -69,7 +74,7 @@ void require_fitting_ending(const FileArgument& argument, const fs::path& file) 
         throw InvalidInput(fmt::format("{} {}: the name of {} must end in {}", argument.option, file.string(),
                                        endings.what, fmt::join(endings.fitting, ", ")));
     }
-    if (*argument.written == Content::frames || *argument.written == Content::prefix) return;
+    if (fills_folder(*argument.written) || *argument.written == Content::prefix) return;
     if (const std::string other = other_content(file, *argument.written); !other.empty())
         throw InvalidInput(fmt::format("{} {}: this is to be {}, but the ending is that of {}",
                                        argument.option, file.string(), endings.what, other));
@@ -87,6 +92,20 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
     return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+// Tried, not asked: permissions say nothing of file systems that are read-only or none to write on.
+bool can_hold_files(const fs::path& folder) {
+    std::string name = (folder / ".counterpart-XXXXXX").string();
+    const int file = ::mkstemp(name.data());
+    if (file < 0) return false;
+    ::close(file);
+    ::unlink(name.c_str());
+    return true;
+}
+
 void require_writable(const FileArgument& argument, const fs::path& file) {
     const auto refuse = [&](const std::string& reason) {
         throw WriteError(fmt::format("{} {}: {}", argument.option, file.string(), reason));
@@ -94,21 +113,25 @@ void require_writable(const FileArgument& argument, const fs::path& file) {
     std::error_code ignored;
     struct stat state = {};
     const bool exists = ::stat(file.c_str(), &state) == 0;
-    if (exists && S_ISDIR(state.st_mode)) {
-        if (*argument.written == Content::frames || *argument.written == Content::prefix) return;
+    const bool is_folder = exists && S_ISDIR(state.st_mode);
+    if (is_folder && !fills_folder(*argument.written)) {
+        if (*argument.written == Content::prefix) return;
         refuse("is a folder; name a file in it");
     }
+    if (exists && !is_folder && *argument.written == Content::folder) refuse("is not a folder");
     constexpr unsigned any_write_bit = 0222;
     if (exists && S_ISREG(state.st_mode) && (state.st_mode & any_write_bit) == 0)
         refuse("is read-only");  // also to root, who could replace it
     if (exists && ::access(file.c_str(), W_OK) != 0)
         refuse(fmt::format("cannot be written ({})", std::strerror(errno)));
-    if (*argument.written == Content::frames || (exists && !S_ISREG(state.st_mode))) return;
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    if (exists && !S_ISREG(state.st_mode) && !is_folder) return;
+    fs::path folder = is_folder ? file : folder_of(file);
+    if (fills_folder(*argument.written))
+        while (!fs::exists(folder, ignored)) folder = folder_of(folder);
     if (!fs::exists(folder, ignored))
         refuse(fmt::format("there is no folder {}; create it first", folder.string()));
     if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
-    if (!exists && ::access(folder.c_str(), W_OK | X_OK) != 0)
+    if (!(exists && S_ISREG(state.st_mode)) && !can_hold_files(folder))
         refuse(fmt::format("the folder cannot be written ({})", std::strerror(errno)));
 }
 

@@ -100,8 +100,8 @@ MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& ar
     outcome.messages.push_back(
         fmt::format("score {:.3f}, mean confidence {:.2f}", result.score, result.confidence.mean()));
     for (const PartialAlternative& other : result.alternatives)
-        outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {:.0f} % of the part goes elsewhere",
-                                               other.score, 100 * other.moved));
+        outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {} of the part goes elsewhere",
+                                               other.score, rounded_percent(other.moved)));
     outcome.details = partial_report(result);
     outcome.stages = result.stages;
     outcome.warnings = result.warnings;

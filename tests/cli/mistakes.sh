@@ -26,6 +26,13 @@ refuse 1 "must end in .off, .obj" convert a.obj a.fbx
 refuse 1 "--output b.obj would replace TARGET, which is read" reorder a.obj b.obj -o b.obj
 refuse 1 "would replace TARGET" reorder a.obj b.obj -o ./b.obj
 refuse 1 "OUT a.obj would replace IN" convert a.obj a.obj
+# Found before the work, where permissions say nothing (root; a file system that takes no files) and for folders too.
+mkdir cache
+refuse 3 "the folder cannot be written" match a.obj b.obj --method spectral --cache cache -o /proc/none.txt
+[ -z "$(ls cache)" ] || fail "a shape was prepared before the output was found not to be writable"
+refuse 3 "--cache /proc/none: the folder cannot be written" match a.obj b.obj --method spectral --cache /proc/none -o x.txt
+refuse 3 "--cache a.obj: is not a folder" match a.obj b.obj --method spectral --cache a.obj -o x.txt
+refuse 3 "the folder cannot be written" morph a.obj b.obj -n 2 -o /proc/none
 ln -s b.obj link.obj
 refuse 1 "would replace TARGET" reorder a.obj b.obj -o link.obj
 refuse 1 "both name x" match a.obj b.obj -o x --report x
