@@ -72,6 +72,7 @@ std::vector<std::string> warnings(const PartialResult& result, const spectral_ma
     std::vector<std::string> sentences;
     add_mesh_warnings(source, "source", sentences);
     add_mesh_warnings(target, "target", sentences);
+    const std::size_t n_of_meshes = sentences.size();
     if (result.score < tuning.poor_score)
         sentences.push_back(
             fmt::format("the surfaces look little alike where they are matched (score {:.2f}): they may not "
@@ -89,6 +90,13 @@ std::vector<std::string> warnings(const PartialResult& result, const spectral_ma
             "elsewhere): inspect both, or give landmarks",
             result.alternatives.empty() ? result.score - result.margin : result.alternatives[0].score,
             result.score, result.alternatives.empty() ? 100 : 100 * result.alternatives[0].moved));
+    if (sentences.size() == n_of_meshes && result.confidence.size() > 0 &&
+        result.confidence.mean() < tuning.unsure)
+        sentences.push_back(
+            fmt::format("the map as a whole is unsure (mean confidence {:.2f}): the meshes may not show the "
+                        "same thing, or "
+                        "too little of it; do not rely on this map without a look",
+                        result.confidence.mean()));
     if (result.target_from_source.source_size() > 0 && count_matched(result.target_from_source) == 0)
         sentences.push_back("nothing of the source has a partner on the target: the meshes do not overlap");
     return sentences;

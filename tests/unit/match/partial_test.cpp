@@ -149,6 +149,16 @@ TEST_F(MatchPartial, UnlikeShapesAndWrongScalesAreDoubted) {
     }
 }
 
+// Half an egg: at some scale it looks a little like a part of the body.
+TEST_F(MatchPartial, WhatFitsALittleIsUnsure) {
+    TriangleMesh egg = make_icosphere(3);
+    egg.vertices = egg.vertices * Eigen::Vector3d(0.6, 0.3, 0.9).asDiagonal();
+    const test::PartOfMesh half = test::cut_by_plane(egg, {1, 0, 0}, 0.1);
+    const PartialResult result = match_partial(half.mesh, whole, {.part = Part::source, .n_samples = 300});
+    EXPECT_LT(result.confidence.mean(), 0.4);
+    EXPECT_FALSE(result.warnings.empty());
+}
+
 TEST_F(MatchPartial, DoesNotDependOnThreads) {
     const test::PartOfMesh part = upper();
     const PartialResult one = match_partial(part.mesh, whole,
