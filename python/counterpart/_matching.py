@@ -75,7 +75,8 @@ def match(
     weld_distance : float, optional
         Exact: first merge vertices up to this far apart, in mesh units.
     min_shared : float
-        "auto" keeps the exact map of what the meshes share if it covers this share of both, 0.5 .. 1.
+        "auto" keeps the exact map of what the meshes share if it covers this share of both, or, where a mesh is open
+        or `part` is given, of one of them, 0.5 .. 1.
     n_alternatives : int
         Spectral, partial: runners-up to report, 0 .. 10.
     basis_size, n_samples, seed : int

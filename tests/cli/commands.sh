@@ -16,6 +16,11 @@ ends 1 deform body a.obj --truth truth.txt
 [ ! -e a.obj ] || fail "a refused command left a file"
 
 ends 0 deform body source.obj
+ends 0 deform source.obj part.off --cut 0.3 --holes 2 --retriangulate 0.8 --bend 10 --truth part.txt -q
+[ "$(grep -v '^#' part.txt | wc -l)" -eq "$(grep -c '^v ' source.obj)" ] || fail "a line of the truth for each vertex"
+[ "$(grep -c '^-1$' part.txt)" -ge $(($(grep -c '^v ' source.obj) * 3 / 10)) ] || fail "what was cut off is -1"
+ends 0 deform source.obj seen.off --seen-from front -q
+ends 1 deform source.obj none.off --cut 0.99 --holes 1000 --hole-radius 1
 ends 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"
