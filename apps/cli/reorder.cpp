@@ -80,8 +80,10 @@ void run(const ReorderCommand& command) {
         throw InvalidInput(
             fmt::format("the meshes have different connectivity ({}), so the order cannot be restored; "
                         "{}{}'match --method "
-                        "exact' reports where they differ",
-                        match.difference, advice, advice.empty() ? "" : "; "));
+                        "exact' reports where they differ, and 'fit {} {}' lays the mesh of the first on the "
+                        "surface of the second, where parts are missing or new",
+                        match.difference, advice, advice.empty() ? "" : "; ", command.source.string(),
+                        command.target.string()));
     }
     if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);
