@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/confidence.hpp"
 
+#include "match/spectral/islands.hpp"
+
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
@@ -60,11 +62,13 @@ Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::ve
                   const ConfidenceTuning& tuning) {
     const double whole = trust(candidates.front().scores.total, tuning);
     const Vector agreeing = agreement(pair, candidates, tuning);
+    const Islands islands = find_islands(pair.a, pair.b, maps.b_from_a, tuning.islands);
     Vector result = round_trips_and_tears(pair.a, pair.b, maps);
     for (Eigen::Index v = 0; v < result.size(); ++v) {
         const double doubt = result[v] / tuning.doubt_length;
         result[v] =
             whole * agreeing[pair.a.cell_of_vertex[static_cast<std::size_t>(v)]] * std::exp(-doubt * doubt);
+        if (islands.inside[static_cast<std::size_t>(v)] != 0) result[v] *= tuning.island_trust;
     }
     return result;
 }

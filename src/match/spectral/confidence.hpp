@@ -16,7 +16,7 @@ Vector round_trips_and_tears(const PreparedShape& a, const PreparedShape& b, con
 
 /// Per vertex of A in [0, 1]: near 1 where the map there and back returns and keeps neighbors together,
 /// where `candidates` (best first, the one refined) that score nearly as well agree, and if the best scores
-/// well.
+/// well. Low in islands, wherever these are.
 Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates,
                   const ConfidenceTuning& tuning = {});
 

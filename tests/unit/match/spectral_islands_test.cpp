@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/spectral/confidence.hpp"
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/islands.hpp"
 #include "match/spectral/refinement.hpp"
@@ -71,6 +72,28 @@ TEST_F(SpectralIslands, ArePatchesTornOffAllAround) {
     }
     EXPECT_GT(n_inside, 50);
     EXPECT_GT(n_spoiled, n_inside);
+}
+
+TEST_F(SpectralIslands, AreDoubted) {
+    std::vector<Index> back(at(shape.mesh.n_vertices()));
+    const std::vector<Index> map = with_ears_exchanged(0.12);
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v) back[at(map[at(v)])] = v;
+    const SampledPair pair(shape, shape, shape.samples.size(), 0);
+    Candidate candidate;
+    candidate.maps = {identity(), identity()};
+    candidate.maps.b_from_a.resize(shape.samples.size());
+    candidate.maps.a_from_b.resize(shape.samples.size());
+    candidate.scores.total = 1;
+    const Vector values = confidence(pair, {map, back}, {candidate});
+    const double most = ConfidenceTuning{}.island_trust;
+    Index n_sure = 0;
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v) {
+        if (is_ear(v, 0.12)) {
+            EXPECT_LE(values[v], most);
+        }
+        n_sure += values[v] > 0.8;
+    }
+    EXPECT_GT(n_sure, shape.mesh.n_vertices() / 2);
 }
 
 TEST_F(SpectralIslands, AreNotThere) {
