@@ -104,7 +104,9 @@ void compare_orientation(const TriangleMesh& mesh, const MeshReport& report, con
                          const std::string& name, MeshComparison& result) {
     const bool inside_out = report.is_closed() && signed_volume(mesh) < 0;
     result.details[key] = inside_out;
-    if (inside_out) result.sentences.push_back(fmt::format("{} is inside out", name));
+    if (inside_out)
+        result.sentences.push_back(
+            fmt::format("{} is inside out: its triangles are turned, or it is mirrored", name));
 }
 
 void compare_scale(double ratio, const Names& names, MeshComparison& result) {
