@@ -14,10 +14,9 @@
 #include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/volume.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -11,7 +11,7 @@
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <chrono>

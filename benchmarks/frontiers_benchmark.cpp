@@ -12,9 +12,8 @@
 // seconds are medians of five.
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/frontiers.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <chrono>

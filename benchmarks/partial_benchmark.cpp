@@ -21,7 +21,7 @@
 #include <counterpart/match/partial.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/retriangulate.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <cmath>

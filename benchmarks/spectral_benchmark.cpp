@@ -18,9 +18,8 @@
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/spectral.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <chrono>

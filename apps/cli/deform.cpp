@@ -5,12 +5,9 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/part_of_mesh.hpp>
-#include <counterpart/mesh/retriangulate.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 #include <counterpart/render/visible.hpp>
 
 #include <algorithm>

@@ -8,10 +8,9 @@
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <numeric>
 

@@ -4,8 +4,8 @@
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <array>
 #include <cmath>

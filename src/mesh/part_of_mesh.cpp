@@ -3,7 +3,7 @@
 #include "base/random.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/part_of_mesh.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 

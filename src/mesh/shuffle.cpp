@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
 
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <numeric>
 

@@ -9,7 +9,7 @@
 #include "support/character_glb.hpp"
 
 #include <counterpart/io/file.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cstdio>
 #include <exception>

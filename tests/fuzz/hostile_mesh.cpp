@@ -4,9 +4,8 @@
 
 #include "base/random.hpp"
 
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <array>

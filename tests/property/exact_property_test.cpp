@@ -8,8 +8,8 @@
 
 #include <counterpart/align/transform.hpp>
 #include <counterpart/match/exact.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 #include <numbers>

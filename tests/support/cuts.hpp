@@ -5,7 +5,7 @@
 #pragma once
 
 #include <counterpart/map/vertex_map.hpp>
-#include <counterpart/mesh/part_of_mesh.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <functional>
 

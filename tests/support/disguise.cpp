@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
 
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 namespace counterpart::test {
 

@@ -6,8 +6,8 @@
 #include <counterpart/align/transform.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/surface_map.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 #include <counterpart/map/invert.hpp>
 #include <counterpart/map/project.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

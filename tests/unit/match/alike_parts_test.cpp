@@ -5,8 +5,7 @@
 #include "support/ogre.hpp"
 
 #include <counterpart/match/exact.hpp>
-#include <counterpart/mesh/deform.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <numbers>
 

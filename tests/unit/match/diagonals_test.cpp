@@ -6,9 +6,8 @@
 #include "support/polygons.hpp"
 
 #include <counterpart/match/exact.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 

@@ -6,9 +6,9 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/frontiers.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/frontiers.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 

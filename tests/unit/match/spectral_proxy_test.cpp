@@ -5,9 +5,9 @@
 #include "support/disguise.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <cmath>

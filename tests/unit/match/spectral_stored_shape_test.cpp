@@ -7,8 +7,8 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <counterpart/match/spectral.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/part_of_mesh.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 

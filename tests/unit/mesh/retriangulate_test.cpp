@@ -4,8 +4,8 @@
 #include <counterpart/match/differences.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/measure.hpp>
-#include <counterpart/mesh/retriangulate.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 

@@ -6,8 +6,8 @@
 #include "base/random.hpp"
 #include "numerics/shifted_factor.hpp"
 
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 #include "support/edited_map.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 #include <counterpart/spectral/zoom_out.hpp>
 
 #include <algorithm>

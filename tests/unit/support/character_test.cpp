@@ -6,7 +6,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/io/gltf.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <set>
 

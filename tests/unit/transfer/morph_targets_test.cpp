@@ -7,10 +7,9 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/invert.hpp>
-#include <counterpart/mesh/deform.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
-#include <counterpart/mesh/shuffle.hpp>
+#include <counterpart/mesh/variants.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <limits>
