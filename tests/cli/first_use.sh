@@ -138,6 +138,9 @@ grep -q "(1 boundary loop).*match --method partial' is for" out || { cat out; fa
 run match open.obj fine.obj --method partial --part source -o x.txt
 says "the source is taken for a part of the target; .* of the source's area"
 awk '$1 == "f" && ++n > 400 {next} {print}' fine.obj > piece.obj
+run deform fine.obj half.obj --cut 0.5 --bend 10 --shuffle 2 -q
+run match half.obj fine.obj --part source --same-scale -o x.txt
+says "by 'exact'"
 run match fine.obj piece.obj --method partial --part target --same-scale -o x.txt
 grep -qE '^(check|do not use): .*[0-9]+ of [0-9]+ vertices have no partner' err || { cat err; fail "most of the map is -1, unsaid"; }
 
