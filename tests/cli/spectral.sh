@@ -114,7 +114,7 @@ done
 for file in cache/*; do echo damaged > "$file"; done
 run match body.off pose.off $fast -o kept.txt --cache cache
 cmp plain.txt kept.txt
-refuse 3 "cannot be made a folder for prepared shapes" match body.off pose.off $fast -o none.txt --cache body.off
+refuse 3 "--cache body.off: is not a folder" match body.off pose.off $fast -o none.txt --cache body.off
 refuse 1 "is an option of --method spectral" match body.off pose.off --method exact -o none.txt --cache cache
 
 run match body.off pose.off $fast -o map.txt --inverse inverse.txt --confidence confidence.npy --alternatives 2 \
