@@ -17,7 +17,7 @@ struct Cost {
 };
 constexpr std::array<Cost, 2> costs = {{{"spectral", 1, 14e-6, 1.15e-6},
                                         // Twice: distances of single precision from 900 samples.
-                                        {"partial", 6, 170e-6, 8e-6}}};
+                                        {"partial", 6, 170e-6, 9.3e-6}}};
 
 std::string duration(double seconds) {
     if (seconds < 90) return fmt::format("{:.0f} s", seconds);
