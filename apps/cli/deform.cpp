@@ -59,34 +59,44 @@ struct Derived {
     }
 };
 
-// Without `share` of its vertices, those farthest toward the camera of that name.
-PartOfMesh without_share(const TriangleMesh& mesh, double share, const std::string& from) {
-    const Eigen::RowVector3d away = -render::find_camera(mesh, {.direction = from}).row(2);
+// Without at most `share` of its vertices, those farthest toward the camera; the plane lies between vertices.
+PartOfMesh without_share(const TriangleMesh& mesh, double share, const render::Camera& camera) {
+    const Eigen::RowVector3d away = -camera.row(2);
     const Vector height = mesh.vertices * away.transpose();
     std::vector<double> sorted(height.begin(), height.end());
-    const auto place =
-        sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size()));
-    std::nth_element(sorted.begin(), place, sorted.end());
-    return cut_by_plane(mesh, away, *place);
+    std::sort(sorted.begin(), sorted.end());
+    const double kept = sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size()))];
+    const auto first_kept = std::lower_bound(sorted.begin(), sorted.end(), kept);
+    const double cut = first_kept == sorted.begin() ? kept - 1 : *std::prev(first_kept);
+    return cut_by_plane(mesh, away, 0.5 * (cut + kept));
 }
 
 void take_apart(const DeformCommand& command, Derived& derived) {
     const TriangleMesh& mesh = derived.mesh;
-    const auto keep = [&](PartOfMesh part) { derived.replace(std::move(part.mesh), part.whole_from_part); };
-    if (command.cut_share > 0) keep(without_share(mesh, command.cut_share, command.cut_from));
+    const auto keep = [&](PartOfMesh part) {
+        if (part.mesh.n_triangles() == 0)
+            throw InvalidInput("nothing is left of the mesh: cut off less, or make fewer or smaller holes");
+        derived.replace(std::move(part.mesh), part.whole_from_part);
+    };
+    std::string up;  // of the whole mesh, also for what is left of it
+    if (command.cut_share > 0 || !command.seen_from.empty()) {
+        up = render::find_up_axis(mesh);
+        say(command.common, fmt::format("up is {}, a guess from the shape", up));
+    }
+    if (command.cut_share > 0)
+        keep(without_share(mesh, command.cut_share,
+                           render::find_camera(mesh, {.direction = command.cut_from, .up = up})));
     if (command.holes > 0)
         keep(cut_holes(mesh, command.holes, command.hole_radius * std::sqrt(surface_area(mesh)),
                        command.options.seed));
     if (!command.seen_from.empty())
         keep(part_of(mesh, render::visible_triangles(
-                               mesh, render::find_camera(mesh, {.direction = command.seen_from}))));
+                               mesh, render::find_camera(mesh, {.direction = command.seen_from, .up = up}))));
     if (command.kept_vertices > 0) {
         RetriangulateResult other =
             retriangulate(mesh, {.kept_share = command.kept_vertices, .seed = command.options.seed});
         derived.replace(std::move(other.mesh), other.original_from_mesh);
     }
-    if (mesh.n_triangles() == 0)
-        throw InvalidInput("nothing is left of the mesh: cut off less, or make fewer or smaller holes");
 }
 
 void run(const DeformCommand& command) {
@@ -125,7 +135,9 @@ void run(const DeformCommand& command) {
                   {"warp", options.warp},
                   {"seed", options.seed},
                   {"cut_share", command.cut_share},
+                  {"cut_from", command.cut_from},
                   {"holes", command.holes},
+                  {"hole_radius", command.hole_radius},
                   {"seen_from", command.seen_from},
                   {"kept_vertices", command.kept_vertices},
                   {"moved", command.move},
@@ -170,7 +182,8 @@ void add_deform(CLI::App& program) {
         ->capture_default_str();
     const std::string parts = "As a scanner delivers it (before it is deformed)";
     deform
-        ->add_option("--cut", command->cut_share, "Cut off this share of the vertices by a plane; 0 to 0.99")
+        ->add_option("--cut", command->cut_share,
+                     "Cut off at most this share of the vertices by a plane; 0 to 0.99")
         ->check(number(0.0, 0.99))
         ->group(parts);
     deform
@@ -178,6 +191,7 @@ void add_deform(CLI::App& program) {
                      "Where --cut takes them off: front, back, left, right, top, bottom, or "
                      "AZIMUTH,ELEVATION in degrees")
         ->capture_default_str()
+        ->needs("--cut")
         ->group(parts);
     deform->add_option("--holes", command->holes, "Cut this many holes at random; 0 to 1000")
         ->check(whole_number(0, 1000))
@@ -187,6 +201,7 @@ void add_deform(CLI::App& program) {
                      "Of the holes, in units of the square root of the area; 0 to 1")
         ->check(number(0.0, 1.0))
         ->capture_default_str()
+        ->needs("--holes")
         ->group(parts);
     deform
         ->add_option("--seen-from", command->seen_from,

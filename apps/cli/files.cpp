@@ -127,11 +127,13 @@ void require_writable(const FileArgument& argument, const fs::path& file) {
     if (exists && !S_ISREG(state.st_mode) && !is_folder) return;
     fs::path folder = is_folder ? file : folder_of(file);
     if (fills_folder(*argument.written))
-        while (!fs::exists(folder, ignored)) folder = folder_of(folder);
+        while (!fs::exists(folder, ignored) && folder != folder_of(folder)) folder = folder_of(folder);
     if (!fs::exists(folder, ignored))
         refuse(fmt::format("there is no folder {}; create it first", folder.string()));
     if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
-    if (!(exists && S_ISREG(state.st_mode)) && !can_hold_files(folder))
+    // A file that is there is replaced by one made beside it, or beside what it links to.
+    if (exists && !is_folder) folder = folder_of(fs::canonical(file, ignored));
+    if (!can_hold_files(folder))
         refuse(fmt::format("the folder cannot be written ({})", std::strerror(errno)));
 }
 

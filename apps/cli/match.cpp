@@ -68,8 +68,9 @@ void refuse_unused_options(const MatchCommand& command, const std::string& metho
         if (method == "auto" && (is_auto_of(owner) || owner == "partial")) continue;
         // auto tries exact with these before it chooses another method.
         if (command.method == "auto" && (name == "--allow-mirror" || name == "--weld")) continue;
-        // What these say of the meshes stays true where connectivity decides.
-        if (command.method == "auto" && method == "exact" && (name == "--part" || name == "--same-scale"))
+        // What these say of the meshes and of the map stays true where connectivity decides.
+        if (command.method == "auto" && method == "exact" &&
+            (name == "--part" || name == "--same-scale" || name == "--fill"))
             continue;
         throw InvalidInput(fmt::format("{} is an option of --method {}; {} does not use it", name, owner,
                                        command.method == "auto" && method != "auto"

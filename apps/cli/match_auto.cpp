@@ -91,6 +91,7 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                 MatchOutcome outcome = outcome_of(input, *exact, *spectral, *partial, result);
                 if (result.method != MatchMethod::partial)  // that may be filled
                     outcome.target_from_source = result.target_from_source;
+                if (result.method == MatchMethod::exact && partial->fill) fill(outcome, input);
                 outcome.confidence = result.confidence;
                 outcome.method = to_string(result.method);
                 outcome.stages = result.stages;

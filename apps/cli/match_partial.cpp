@@ -108,13 +108,16 @@ MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& ar
     outcome.target_from_source = result.target_from_source;
     outcome.source_from_target = result.source_from_target;
     outcome.confidence = result.confidence;
-    if (arguments.fill) {
-        outcome.target_from_source = filled(result.target_from_source, input.source, input.target);
-        const Index n = count_matched(outcome.target_from_source) - count_matched(result.target_from_source);
-        outcome.messages.push_back(fmt::format("{} unmatched vertices filled from their neighbors", n));
-        outcome.details["filled_vertices"] = n;
-    }
+    if (arguments.fill) fill(outcome, input);
     return outcome;
+}
+
+void fill(MatchOutcome& outcome, const MatchInput& input) {
+    const Index n_before = count_matched(outcome.target_from_source);
+    outcome.target_from_source = filled(outcome.target_from_source, input.source, input.target);
+    const Index n = count_matched(outcome.target_from_source) - n_before;
+    outcome.messages.push_back(fmt::format("{} unmatched vertices filled from their neighbors", n));
+    outcome.details["filled_vertices"] = n;
 }
 
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,

@@ -20,4 +20,7 @@ struct PartialArguments {
 MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& arguments,
                              const SpectralArguments& shared, const PartialResult& result);
 
+/// --fill: every unmatched vertex follows those around it.
+void fill(MatchOutcome& outcome, const MatchInput& input);
+
 }  // namespace counterpart::cli

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/common_part/beyond.hpp"
 #include "match/partial/roles.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -110,7 +111,8 @@ class Matching {
                       : "the meshes have nearly the same connectivity: ";
         reason_ += shared.summary;
         take_shared();
-        if (shared.source_share >= options_.min_shared) fill_gaps();
+        fill_gaps(is_part ? common_part::beyond_target(shared.target_from_source, source_, target_)
+                          : std::vector<char>(static_cast<std::size_t>(source_.n_vertices()), 0));
         return true;
     }
 
@@ -148,8 +150,9 @@ class Matching {
         for (const Index v : shared.uncertain) result_.confidence[v] = std::min(result_.confidence[v], 0.5);
     }
 
-    // Vertices without a partner follow those around them; their confidence stays 0.
-    void fill_gaps() {
+    // Vertices without a partner follow those around them, but for what a part lacks; their confidence stays
+    // 0.
+    void fill_gaps(const std::vector<char>& lacking) {
         const Index n_matched = count_matched(result_.target_from_source);
         if (n_matched == 0 || n_matched == source_.n_vertices()) return;
         const CompletedMap completed =
@@ -157,7 +160,7 @@ class Matching {
         const VertexMap corners = nearest_corners(completed.target_from_source, target_);
         std::vector<Index> image = result_.target_from_source.image();
         for (std::size_t v = 0; v < image.size(); ++v) {
-            if (image[v] != VertexMap::unmatched) continue;
+            if (image[v] != VertexMap::unmatched || lacking[v] != 0) continue;
             image[v] = corners[static_cast<Index>(v)];
             ++result_.n_filled;
         }

@@ -212,8 +212,9 @@ class PartialMatching {
         for (Index v = 0; v < result_.confidence.size(); ++v) {
             const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
             const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
-            result_.confidence[v] =
-                on_part < 0 ? trust(found.front(), best.misfit, tuning_.trust) : of_part_vertices[on_part];
+            result_.confidence[v] = result_.target_from_source[v] == VertexMap::unmatched
+                                        ? trust(found.front(), best.misfit, tuning_.trust)
+                                        : of_part_vertices[on_part];
         }
         result_.warnings = warnings(result_, source_, target_, best.misfit, tuning_.trust);
         watch_.lap("confidence");

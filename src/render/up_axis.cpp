@@ -82,17 +82,19 @@ double standing(const Points& points, const Eigen::RowVector3d& center, int axis
 }  // namespace
 
 std::string find_up_axis(MeshView mesh) {
+    require_valid(mesh);
     const Vector areas = vertex_areas(mesh);
-    const Eigen::RowVector3d size = mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
+    std::vector<Index> used;
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (areas[v] > 0) used.push_back(v);
+    if (used.empty()) return "y";
+    const Points points = mesh.vertices(used, Eigen::all);
+    const Eigen::RowVector3d size = points.colwise().maxCoeff() - points.colwise().minCoeff();
     const bool lies_along_y = size.y() < 0.6 * size.z() && size.y() < 0.6 * size.x() + 0.25 * size.z();
     const std::string usual = lies_along_y ? "z" : "y";
     const double area = areas.sum();
     if (!(area > 0 && std::isfinite(area))) return usual;
 
-    std::vector<Index> used;
-    for (Index v = 0; v < mesh.n_vertices(); ++v)
-        if (areas[v] > 0) used.push_back(v);
-    const Points points = mesh.vertices(used, Eigen::all);
     const Eigen::RowVector3d center = areas.transpose() * mesh.vertices / area;
     struct Axis {
         const char* name;

@@ -21,6 +21,13 @@ ends 0 deform source.obj part.off --cut 0.3 --holes 2 --retriangulate 0.8 --bend
 [ "$(grep -c '^-1$' part.txt)" -ge $(($(grep -c '^v ' source.obj) * 3 / 10)) ] || fail "what was cut off is -1"
 ends 0 deform source.obj seen.off --seen-from front -q
 ends 1 deform source.obj none.off --cut 0.99 --holes 1000 --hole-radius 1
+ends 1 deform source.obj none.off --holes 1000 --hole-radius 1 --seen-from front
+for option in "--cut-from left" "--hole-radius 0.2"; do ends 2 deform source.obj none.off $option; done
+# What connectivity decides may be filled too.
+ends 0 deform source.obj half.off --cut 0.4 --shuffle 3 -q
+ends 0 match half.off source.obj --part source --fill -o half.txt -q
+ends 0 match source.obj half.off --fill -o whole.txt -q
+! grep -q '^-1$' whole.txt || fail "--fill leaves nothing unmatched"
 ends 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"

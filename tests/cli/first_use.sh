@@ -177,7 +177,7 @@ grep -qE "^parts       2: (skin, cloth|cloth, skin)" out || { cat out; fail "ins
 # ---- what a long run will cost is said before; this one is refused after that ----
 { seq 100000 | awk '{print "v", $1, 0, 0}'; echo "v 0 1 0"; echo "f 1 2 100001"; } > many.obj
 refuse 1 "at least 50 vertices" match many.obj many.obj --method partial -o none.txt
-says "^about 23 s and 0.8 GB of memory are to be expected from 'partial'"
+says "^about 23 s and 0.9 GB of memory are to be expected from 'partial'"
 
 # ---- a picture in the colors of the file ----
 run fit a.obj b.obj --color -o colored.ply -q

@@ -25,13 +25,13 @@ struct CameraOptions {
 /// The axis along which the mesh is most likely upright, "y", "z" or "-y": y, or z where the mesh is
 /// much flatter along y than along z, unless it stands at least twice as well along another. It stands on
 /// what is in its lowest tenth, better the larger the area between and the higher the center of its surface;
-/// above the area, or it falls over. A guess from the shape: of 115 people and animals 99 are upright. O(V
-/// log V).
+/// above the area, or it falls over. A guess from the shape: of 115 people and animals 99 are upright. Throws
+/// InvalidInput for an invalid mesh. O(V log V).
 std::string find_up_axis(MeshView mesh);
 
 /// With y up the front is +z, with z up it is -y, as is usual in mesh formats. An automatic view looks along
 /// the horizontal principal axis of least extent, from the front. Throws InvalidInput for options it does not
-/// know. O(V).
+/// know and for an invalid mesh. O(V), and what find_up_axis takes.
 Camera find_camera(MeshView mesh, const CameraOptions& options = {});
 
 /// The view in which the target looks as the source does in `source_view`: rotated by the best rotation

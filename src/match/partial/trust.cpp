@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -29,6 +30,18 @@ void add_mesh_warnings(const spectral_match::Preprocessed& mesh, const std::stri
             "left out {} small components ({:.2g} % of the area); each of their vertices is matched like the "
             "nearest one",
             mesh.n_small_components, 100 * mesh.small_share));
+}
+
+// Infinite if nothing is matched.
+double mean_of_matched(const PartialResult& result) {
+    double sum = 0;
+    Index n = 0;
+    for (Index v = 0; v < result.confidence.size(); ++v) {
+        if (result.target_from_source[v] == VertexMap::unmatched) continue;
+        sum += result.confidence[v];
+        ++n;
+    }
+    return n > 0 ? sum / n : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -90,13 +103,14 @@ std::vector<std::string> warnings(const PartialResult& result, const spectral_ma
             "elsewhere): inspect both, or give landmarks",
             result.alternatives.empty() ? result.score - result.margin : result.alternatives[0].score,
             result.score, result.alternatives.empty() ? 100 : 100 * result.alternatives[0].moved));
-    if (sentences.size() == n_of_meshes && result.confidence.size() > 0 &&
-        result.confidence.mean() < tuning.unsure)
+    const double mean = mean_of_matched(result);
+    if (sentences.size() == n_of_meshes && mean < tuning.unsure)
         sentences.push_back(
-            fmt::format("the map as a whole is unsure (mean confidence {:.2f}): the meshes may not show the "
+            fmt::format("the map as a whole is unsure (mean confidence {:.2f} where it matches): the meshes "
+                        "may not show the "
                         "same thing, or "
                         "too little of it; do not rely on this map without a look",
-                        result.confidence.mean()));
+                        mean));
     if (result.target_from_source.source_size() > 0 && count_matched(result.target_from_source) == 0)
         sentences.push_back("nothing of the source has a partner on the target: the meshes do not overlap");
     return sentences;

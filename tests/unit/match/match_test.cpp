@@ -98,6 +98,25 @@ TEST(Match, APartInOtherNumbersIsExactInBothDirections) {
     EXPECT_LT(count_matched(back.target_from_source), 0.7 * whole.n_vertices());
 }
 
+// Both shares are above min_shared then; what was cut off is no gap to be filled.
+TEST(Match, ASmallPieceThatIsMissingStaysUnmatched) {
+    const TriangleMesh whole = make_body({.subdivisions = 2});
+    std::vector<double> heights(whole.vertices.col(1).begin(), whole.vertices.col(1).end());
+    std::sort(heights.begin(), heights.end());
+    const test::PartOfMesh part = test::cut_by_plane(whole, {0, 1, 0}, heights[heights.size() / 20]);
+    const test::DisguisedMesh other = disguised(deform(part.mesh, {.bend = 0.4}));
+    const VertexMap truth = compose_maps(invert(part.whole_from_part), other.mesh_from_original);
+    const MatchResult result = match(whole, other.mesh);
+    EXPECT_EQ(result.method, MatchMethod::exact);
+    Index n_missing = 0;
+    for (Index v = 0; v < whole.n_vertices(); ++v) {
+        if (truth[v] != VertexMap::unmatched) continue;
+        ++n_missing;
+        EXPECT_EQ(result.target_from_source[v], VertexMap::unmatched) << v;
+    }
+    EXPECT_GT(n_missing, whole.n_vertices() / 50);
+}
+
 TEST(Match, ARemovedVertexFollowsThoseAroundIt) {
     const TriangleMesh source = make_body({.subdivisions = 2});
     const test::EditedMesh edited = test::without_vertex(source, 3);
