@@ -9,9 +9,9 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/evaluation/evaluate.hpp>
-#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/io/npy.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/adjacency.hpp>

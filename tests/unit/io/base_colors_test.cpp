@@ -4,8 +4,8 @@
 #include "support/character_glb.hpp"
 #include "support/temporary_folder.hpp"
 
-#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <filesystem>
 
