@@ -13,7 +13,7 @@ FittedRotation fit_rotation(const Eigen::Matrix3d& covariance) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Eigen::Matrix3d signs = Eigen::Matrix3d::Identity();
     signs(2, 2) = svd.matrixU().determinant() * svd.matrixV().determinant() < 0 ? -1 : 1;
-    const Eigen::Vector3d singular = svd.singularValues();
+    const Eigen::Vector3d& singular = svd.singularValues();
     FittedRotation fit{svd.matrixU() * signs * svd.matrixV().transpose(), 0};
     for (int i = 0; i < 3; ++i) fit.rank += singular[i] > 1e-9 * singular[0] ? 1 : 0;
     return fit;
