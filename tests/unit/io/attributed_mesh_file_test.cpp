@@ -14,13 +14,13 @@
 namespace counterpart::io {
 namespace {
 
-AttributedMesh read(const std::string& text, const char* name) {
+AttributedMesh read_attributed(const std::string& text, const char* name) {
     const test::TemporaryFolder folder;
     write_file(text, folder / name);
     return read_attributed_mesh(folder / name).content;
 }
 
-AttributedMesh written(const AttributedMesh& content, const char* name) {
+AttributedMesh written_as(const AttributedMesh& content, const char* name) {
     const test::TemporaryFolder folder;
     write_attributed_mesh(content, folder / name);
     return read_attributed_mesh(folder / name).content;
@@ -55,7 +55,7 @@ const std::string obj_text =
     "usemtl skin\nf 1/1/1 2/2/1 3/3/1 4/-1/-2\nusemtl cloth\nf 1//2 2//2 5//2\nf 1 5 4\n";
 
 TEST(AttributedMeshFile, ObjCornersKeepTheirSeams) {
-    const AttributedMesh content = read(obj_text, "a.obj");
+    const AttributedMesh content = read_attributed(obj_text, "a.obj");
     ASSERT_EQ(content.mesh.n_triangles(), 4);
     ASSERT_EQ(content.texture_coordinates.size(), 1U);
     const CornerAttribute& uv = content.texture_coordinates[0];
@@ -67,7 +67,7 @@ TEST(AttributedMeshFile, ObjCornersKeepTheirSeams) {
     EXPECT_EQ(content.parts, (std::vector<Index>{0, 0, 1, 1}));
     EXPECT_EQ(content.part_names, (std::vector<std::string>{"skin", "cloth"}));
 
-    const AttributedMesh again = written(content, "b.obj");
+    const AttributedMesh again = written_as(content, "b.obj");
     EXPECT_EQ(again.mesh.vertices, content.mesh.vertices);
     EXPECT_EQ(again.mesh.triangles, content.mesh.triangles);
     EXPECT_EQ(difference(again.texture_coordinates.at(0), uv), 0);
@@ -76,7 +76,7 @@ TEST(AttributedMeshFile, ObjCornersKeepTheirSeams) {
     EXPECT_EQ(again.parts, content.parts);
     EXPECT_EQ(again.part_names, content.part_names);
 
-    const AttributedMesh gltf = written(content, "b.glb");
+    const AttributedMesh gltf = written_as(content, "b.glb");
     EXPECT_EQ(gltf.part_names, content.part_names);
     EXPECT_EQ(gltf.parts, content.parts);
 }
@@ -91,7 +91,7 @@ TEST(AttributedMeshFile, ObjSaysWhatIsWrong) {
              {"f 1//7 2//1 3//1\n", "names normal 7, but the file has only 1"},
              {"vt nan 0\nf 1 2 3\n", "6: "}}) {
         try {
-            read(vertices + face, "a.obj");
+            read_attributed(vertices + face, "a.obj");
             ADD_FAILURE() << face;
         } catch (const IoError& error) {
             EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
@@ -104,7 +104,7 @@ TEST(AttributedMeshFile, PlyNamesInUse) {
     for (const char* names : {"s t", "u v", "texture_u texture_v"}) {
         const std::string list = names;
         const std::string u = list.substr(0, list.find(' ')), v = list.substr(list.find(' ') + 1);
-        const AttributedMesh content = read(
+        const AttributedMesh content = read_attributed(
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
             "property float z\nproperty float nx\nproperty float ny\nproperty float nz\nproperty uchar red\n"
             "property uchar green\nproperty uchar blue\nproperty float quality\nproperty float " +
@@ -125,7 +125,7 @@ TEST(AttributedMeshFile, ACharacterKeepsItsSeamInObjAndPly) {
     const AttributedMesh content = test::make_character({.subdivisions = 1}).content;
     const CornerAttribute& uv = content.texture_coordinates.at(0);
     for (const char* name : {"a.obj", "a.ply"}) {
-        const AttributedMesh after = written(content, name);
+        const AttributedMesh after = written_as(content, name);
         EXPECT_EQ(after.mesh.vertices, content.mesh.vertices) << name;
         EXPECT_EQ(after.mesh.triangles, content.mesh.triangles) << name;
         ASSERT_EQ(after.texture_coordinates.size(), 1U) << name;

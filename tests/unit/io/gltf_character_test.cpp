@@ -26,7 +26,7 @@ AttributedMesh exported(const test::Character& character, const test::CharacterE
     return read_attributed_mesh(folder / "character.glb").content;
 }
 
-AttributedMesh written(const AttributedMesh& content) {
+AttributedMesh written_character(const AttributedMesh& content) {
     const test::TemporaryFolder folder;
     write_attributed_mesh(content, folder / "out.glb");
     return read_attributed_mesh(folder / "out.glb").content;
@@ -79,8 +79,8 @@ TEST(GltfCharacter, AShuffledCopyComesBackInTheOrder) {
             exported(character, {.shuffle_seed = 3, .every_corner_alone = true, .bare = bare});
         const ExactResult match = match_exact(source.mesh, target.mesh);
         ASSERT_TRUE(match.identical);
-        const AttributedMesh after =
-            written(reorder(source, target, match.target_from_source, match.target_corner_from_source));
+        const AttributedMesh after = written_character(
+            reorder(source, target, match.target_from_source, match.target_corner_from_source));
         EXPECT_EQ(after.mesh.triangles, source.mesh.triangles);
         EXPECT_LT((per_corner(after) - expected).cwiseAbs().maxCoeff(), 1e-6);
     }

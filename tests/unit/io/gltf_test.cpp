@@ -80,17 +80,17 @@ struct Square {
     }
 };
 
-const std::filesystem::path file =
+const std::filesystem::path gltf_path =
     std::filesystem::temp_directory_path() / ("square" + std::to_string(getpid()) + ".glb");
 
-GltfFile read(const std::string& bytes) {
-    write_file(bytes, file);
-    return read_gltf(file);
+GltfFile read_gltf_bytes(const std::string& bytes) {
+    write_file(bytes, gltf_path);
+    return read_gltf(gltf_path);
 }
 
-std::string error_of(const std::string& bytes) {
+std::string gltf_error_of(const std::string& bytes) {
     try {
-        read(bytes);
+        read_gltf_bytes(bytes);
         return "read without an error";
     } catch (const IoError& error) {
         return error.what();
@@ -98,7 +98,7 @@ std::string error_of(const std::string& bytes) {
 }
 
 TEST(Gltf, SeamsAreWeldedAndAttributesKept) {
-    const GltfFile square = read(Square().glb());
+    const GltfFile square = read_gltf_bytes(Square().glb());
     const AttributedMesh& content = square.content;
     EXPECT_EQ(content.mesh.vertices, (Points{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}));
     EXPECT_EQ(content.mesh.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}}));
@@ -112,19 +112,19 @@ TEST(Gltf, SeamsAreWeldedAndAttributesKept) {
     ASSERT_EQ(content.morphs.size(), 1U);
     EXPECT_EQ(content.morphs[0].name, "smile");
     EXPECT_EQ(content.morphs[0].displacements.col(2), (Vector{{1, 2, 3, 4}}));
-    EXPECT_EQ(read_mesh(file).mesh.vertices, content.mesh.vertices);
+    EXPECT_EQ(read_mesh(gltf_path).mesh.vertices, content.mesh.vertices);
 }
 
 TEST(Gltf, SkinnedMeshesStayAsTheyAreBound) {
     Square square;
     square.json["nodes"][0]["skin"] = 0;
-    EXPECT_EQ(read(square.glb()).content.mesh.vertices.col(2).maxCoeff(), 0);
+    EXPECT_EQ(read_gltf_bytes(square.glb()).content.mesh.vertices.col(2).maxCoeff(), 0);
 }
 
 TEST(Gltf, PointsThatMorphApartAreNotWelded) {
     Square square;
     square.bytes[static_cast<std::size_t>(square.json["bufferViews"][3]["byteOffset"]) + 4 * 11 + 2] ^= 1;
-    EXPECT_EQ(read(square.glb()).content.mesh.n_vertices(), 5);
+    EXPECT_EQ(read_gltf_bytes(square.glb()).content.mesh.n_vertices(), 5);
 }
 
 TEST(Gltf, StripsAndFansKeepTheWinding) {
@@ -133,7 +133,7 @@ TEST(Gltf, StripsAndFansKeepTheWinding) {
         Json& primitive = square.json["meshes"][0]["primitives"][0];
         primitive["mode"] = mode;
         primitive.erase("indices");
-        const Triangles triangles = read(square.glb()).content.mesh.triangles;
+        const Triangles triangles = read_gltf_bytes(square.glb()).content.mesh.triangles;
         ASSERT_EQ(triangles.rows(), 4);
         EXPECT_EQ(triangles.row(0), (Eigen::RowVector3i(0, 1, 2)));
         EXPECT_EQ(triangles.row(1), mode == 5 ? Eigen::RowVector3i(1, 0, 2) : Eigen::RowVector3i(0, 2, 0));
@@ -170,26 +170,27 @@ TEST(Gltf, SaysWhatIsWrong) {
     for (const auto& [edit, message] : cases) {
         Square square;
         edit(square.json);
-        EXPECT_NE(error_of(square.glb()).find(message), std::string::npos)
-            << message << " | " << error_of(square.glb());
+        EXPECT_NE(gltf_error_of(square.glb()).find(message), std::string::npos)
+            << message << " | " << gltf_error_of(square.glb());
     }
     Square outside;
     outside.json["buffers"] = {{{"uri", "gone.bin"}, {"byteLength", 10}}};
-    EXPECT_NE(error_of(outside.json.dump()).find("buffer 0 is missing: there is no file"), std::string::npos);
-    EXPECT_NE(error_of("glTF").find("cut off"), std::string::npos);
-    EXPECT_NE(error_of("{").find("JSON is damaged"), std::string::npos);
-    std::filesystem::remove(file);
+    EXPECT_NE(gltf_error_of(outside.json.dump()).find("buffer 0 is missing: there is no file"),
+              std::string::npos);
+    EXPECT_NE(gltf_error_of("glTF").find("cut off"), std::string::npos);
+    EXPECT_NE(gltf_error_of("{").find("JSON is damaged"), std::string::npos);
+    std::filesystem::remove(gltf_path);
 }
 
 TEST(Gltf, AnyTruncationIsAnError) {
     const std::string bytes = Square().glb();
     for (std::size_t size = 0; size < bytes.size() - 4; size += 7)
-        EXPECT_THROW(read(bytes.substr(0, size)), IoError) << size;
-    std::filesystem::remove(file);
+        EXPECT_THROW(read_gltf_bytes(bytes.substr(0, size)), IoError) << size;
+    std::filesystem::remove(gltf_path);
 }
 
 // What is written and read again.
-GltfFile written(const AttributedMesh& content, const char* extension = ".glb") {
+GltfFile written_gltf(const AttributedMesh& content, const char* extension = ".glb") {
     const test::TemporaryFolder folder;
     const std::filesystem::path copy = (folder / "copy").replace_extension(extension);
     write_gltf(content, copy);
@@ -206,10 +207,10 @@ TEST(WriteGltf, WhatDidNotChangeKeepsItsAccessors) {
         square.json["extras"] = {{"answer", 42.0}};
         if (placed)
             square.json["nodes"][0].update(Json{{"scale", {-2, 1, .3}}, {"rotation", {0, .6, 0, .8}}});
-        const GltfFile before = read(square.glb());
+        const GltfFile before = read_gltf_bytes(square.glb());
         for (const char* name : {"copy.glb", "copy.gltf"}) {
             write_gltf(before.content, folder / name);
-            EXPECT_EQ(test::accessor_difference(file, folder / name), "");
+            EXPECT_EQ(test::accessor_difference(gltf_path, folder / name), "");
             EXPECT_EQ(read_gltf(folder / name).content.mesh.vertices, before.content.mesh.vertices);
         }
     }
@@ -218,31 +219,31 @@ TEST(WriteGltf, WhatDidNotChangeKeepsItsAccessors) {
 TEST(WriteGltf, OnlyWhatChangedGetsNewAccessors) {
     Square square;
     square.json["nodes"][0]["scale"] = {2, 2, 2};
-    GltfFile before = read(square.glb());
+    GltfFile before = read_gltf_bytes(square.glb());
     before.content.mesh.vertices(2, 2) += 0.5;
     before.content.morphs[0].name = "grin";
-    const GltfFile after = written(before.content);
+    const GltfFile after = written_gltf(before.content);
     EXPECT_EQ(after.content.mesh.vertices, before.content.mesh.vertices);
     EXPECT_EQ(after.vertex_from_file, before.vertex_from_file);
     EXPECT_EQ(after.content.morphs[0].name, "grin");
     const test::TemporaryFolder folder;
     write_gltf(before.content, folder / "copy.glb");
-    EXPECT_EQ(test::accessor_difference(file, folder / "copy.glb"), "the number of accessors");
+    EXPECT_EQ(test::accessor_difference(gltf_path, folder / "copy.glb"), "the number of accessors");
 }
 
 TEST(WriteGltf, CornersThatComeApartSplitVertices) {
-    GltfFile before = read(Square().glb());
+    GltfFile before = read_gltf_bytes(Square().glb());
     CornerAttribute& coordinates = before.content.texture_coordinates[0];
     coordinates.values.conservativeResize(7, 2);
     coordinates.values.row(6) << 0.25, 0.75;
     coordinates.corners(0, 1) = 6;
-    GltfFile after = written(before.content);
+    GltfFile after = written_gltf(before.content);
     EXPECT_EQ(after.vertex_from_file.size(), 6U);
     // A second surface over the square, with a seam where there was none.
     before.content.mesh.triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {0, 1, 3}};
     coordinates.corners = Triangles{{0, 6, 2}, {3, 4, 5}, {0, 1, 5}};
     before.content.parts.assign(3, 0);
-    after = written(before.content);
+    after = written_gltf(before.content);
     EXPECT_EQ(after.content.mesh.triangles, before.content.mesh.triangles);
     EXPECT_EQ(after.content.mesh.vertices, before.content.mesh.vertices);
     EXPECT_EQ(after.vertex_from_file, (std::vector<Index>{0, 0, 1, 1, 2, 2, 3}));
@@ -262,7 +263,7 @@ TEST(WriteGltf, AMeshFromElsewhereGetsAFileOfItsOwn) {
     content.morphs = {{"up", Points::Ones(4, 3)}, {"down", -Points::Ones(4, 3)}};
     content.parts = {0, 1};
     for (const char* extension : {".glb", ".gltf"}) {
-        const AttributedMesh after = written(content, extension).content;
+        const AttributedMesh after = written_gltf(content, extension).content;
         EXPECT_EQ(after.mesh.vertices, content.mesh.vertices);
         EXPECT_EQ(after.mesh.triangles, content.mesh.triangles);
         EXPECT_EQ(after.parts, content.parts);
@@ -277,7 +278,7 @@ TEST(WriteGltf, AMeshFromElsewhereGetsAFileOfItsOwn) {
 TEST(WriteGltf, SaysWhatIsWrongAndWritesNothing) {
     Square square;
     square.json["images"] = {{{"uri", "skin.png"}}};
-    const AttributedMesh textured = read(square.glb()).content;
+    const AttributedMesh textured = read_gltf_bytes(square.glb()).content;
     AttributedMesh plain;
     plain.mesh = textured.mesh;
     const auto changed = [](AttributedMesh content, const std::function<void(AttributedMesh&)>& change) {
@@ -315,21 +316,21 @@ TEST(WriteGltf, SaysWhatIsWrongAndWritesNothing) {
         }
     }
     EXPECT_FALSE(std::filesystem::exists(folder / "out.glb"));
-    std::filesystem::remove(file);
+    std::filesystem::remove(gltf_path);
 }
 
 TEST(WriteGltf, WeightsThatSumToZeroAreRefused) {
     Square square;
     square.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, Json::object(), Json::object()};
     square.json["skins"] = {{{"joints", {1, 2}}}};
-    AttributedMesh content = read(square.glb()).content;
+    AttributedMesh content = read_gltf_bytes(square.glb()).content;
     content.skin.weights.row(2).setZero();
     const test::TemporaryFolder folder;
     EXPECT_THROW(write_gltf(content, folder / "out.glb"), IoError);
     EXPECT_FALSE(std::filesystem::exists(folder / "out.glb"));
     content.skin.weights.row(2) << 0.25, 0.75, 0, 0;
     content.skin.joints.row(2) << 1, 0, 0, 0;
-    EXPECT_EQ(written(content).content.skin.weights, content.skin.weights);
+    EXPECT_EQ(written_gltf(content).content.skin.weights, content.skin.weights);
     content.skin.joints(2, 0) = 2;
     EXPECT_THROW(write_gltf(content, folder / "out.glb"), IoError);
 }
@@ -340,7 +341,7 @@ TEST(WriteGltf, AnAnimationPlaysTheMorphTargetsInTheirOrder) {
     square.json["animations"] = {
         {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
          {"samplers", {{{"input", times}, {"output", weights}}}}}};
-    AttributedMesh content = read(square.glb()).content;
+    AttributedMesh content = read_gltf_bytes(square.glb()).content;
     content.morphs = {{"frame_0001", Points::Ones(4, 3)}, {"frame_0002", Points::Ones(4, 3) * 3}};
     const test::TemporaryFolder folder;
     for (const char* name : {"out.glb", "out.gltf"}) {

@@ -19,7 +19,7 @@ std::string npy(const std::string& header, const std::string& data) {
     return bytes + header + data;
 }
 
-Matrix read(const std::string& bytes) {
+Matrix read_npy_bytes(const std::string& bytes) {
     const TemporaryFolder folder;
     return read_npy(folder.file("a.npy", bytes));
 }
@@ -48,26 +48,28 @@ TEST(Npy, MatricesAndVectorsRoundTrip) {
     EXPECT_EQ(read_npy(folder / "c.npy").cols(), 3);
     const auto endless =
         npy("{'descr': '<f8', 'fortran_order': False, 'shape': (999999999999999999, 0), }", "");
-    EXPECT_EQ(read(endless).size(), 0);
+    EXPECT_EQ(read_npy_bytes(endless).size(), 0);
 }
 
 TEST(Npy, ReadsTypesAndOrders) {
     const std::string one_two("\x01\0\0\0\x02\0\0\0", 8), big("\0\0\0\x01\0\0\0\x02", 8);
-    EXPECT_EQ(read(npy("{'descr': '<i4', 'fortran_order': False, 'shape': (2,), }", one_two)),
+    EXPECT_EQ(read_npy_bytes(npy("{'descr': '<i4', 'fortran_order': False, 'shape': (2,), }", one_two)),
               (Matrix{{1}, {2}}));
-    EXPECT_EQ(read(npy("{'descr': '>i4', 'fortran_order': False, 'shape': (1, 2), }", big)),
+    EXPECT_EQ(read_npy_bytes(npy("{'descr': '>i4', 'fortran_order': False, 'shape': (1, 2), }", big)),
               (Matrix{{1, 2}}));
-    EXPECT_EQ(read(npy("{'descr': '<i4', 'fortran_order': True, 'shape': (2, 2), }", one_two + one_two)),
-              (Matrix{{1, 1}, {2, 2}}));
-    EXPECT_EQ(read(npy("{'descr': '<i8', 'fortran_order': False, 'shape': (1,), }", one_two)),
+    EXPECT_EQ(
+        read_npy_bytes(npy("{'descr': '<i4', 'fortran_order': True, 'shape': (2, 2), }", one_two + one_two)),
+        (Matrix{{1, 1}, {2, 2}}));
+    EXPECT_EQ(read_npy_bytes(npy("{'descr': '<i8', 'fortran_order': False, 'shape': (1,), }", one_two)),
               (Matrix{{8589934593.0}}));
-    EXPECT_EQ(read(npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1,), }", {"\0\0\x80\x3f", 4})),
-              (Matrix{{1}}));
+    EXPECT_EQ(
+        read_npy_bytes(npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1,), }", {"\0\0\x80\x3f", 4})),
+        (Matrix{{1}}));
 }
 
 TEST(Npy, RefusesWhatItCannotRead) {
     const auto refused = [](const std::string& bytes, const std::string& part) {
-        test::expect_error<IoError>([&] { read(bytes); }, part);
+        test::expect_error<IoError>([&] { read_npy_bytes(bytes); }, part);
     };
     const std::string good =
         npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,), }", std::string(8, 0));
@@ -85,7 +87,8 @@ TEST(Npy, RefusesWhatItCannotRead) {
          {"(0, 18446744073709551615)", "(18446744073709551615, 0)", "(9223372036854775808, 0)"})
         refused(npy(std::string("{'descr': '<f8', 'fortran_order': False, 'shape': ") + shape + ", }", ""),
                 "out of range");
-    EXPECT_EQ(read(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 7), }", "")).cols(), 7);
+    EXPECT_EQ(read_npy_bytes(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (0, 7), }", "")).cols(),
+              7);
     refused(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (x,), }", ""), "no shape");
     refused(npy("{'descr': '<f8', 'fortran_order': False}", ""), "has no 'shape'");
 }

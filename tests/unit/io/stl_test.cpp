@@ -15,13 +15,13 @@
 namespace counterpart::io {
 namespace {
 
-MeshFile read(std::string_view bytes) {
+MeshFile read_stl_bytes(std::string_view bytes) {
     const test::TemporaryFolder folder;
     return read_mesh(folder.file("a.stl", bytes));
 }
 
-void expect_refused(std::string_view bytes, const std::string& part) {
-    test::expect_error<IoError>([&] { read(bytes); }, part);
+void expect_stl_refused(std::string_view bytes, const std::string& part) {
+    test::expect_error<IoError>([&] { read_stl_bytes(bytes); }, part);
 }
 
 std::string facet(const std::string& a, const std::string& b, const std::string& c) {
@@ -42,7 +42,7 @@ TEST(Stl, ReadsTextAndJoinsCornersByPosition) {
          {"solid \"a b\" facet\n" + two + "endsolid\n", "SOLID\r\n" + two + "EndSolid thing",
           " solid x\n" + two + "endsolid x\nsolid y\nendsolid y\n"}) {
         SCOPED_TRACE(text);
-        const MeshFile file = read(text);
+        const MeshFile file = read_stl_bytes(text);
         EXPECT_EQ(file.mesh.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}));
         EXPECT_EQ(file.mesh.triangles, (Triangles{{0, 1, 2}, {2, 1, 3}}));
         ASSERT_EQ(file.notices.size(), 1U);
@@ -53,24 +53,26 @@ TEST(Stl, ReadsTextAndJoinsCornersByPosition) {
 TEST(Stl, BinaryMayBeginWithSolid) {
     std::string bytes = binary_file();
     bytes.replace(0, 5, "solid");
-    EXPECT_EQ(read(bytes).mesh.n_triangles(), 20);
+    EXPECT_EQ(read_stl_bytes(bytes).mesh.n_triangles(), 20);
 }
 
 TEST(Stl, NamesTheReason) {
     const std::string bytes = binary_file();
-    expect_refused("", "a.stl: neither text STL");
-    expect_refused(std::string_view(bytes).substr(0, bytes.size() - 1),
-                   "a.stl: the header says 20 triangles, the file holds 19");
-    expect_refused(bytes + std::string(50, ' '), "a.stl: the header says 20 triangles, the file holds 21");
+    expect_stl_refused("", "a.stl: neither text STL");
+    expect_stl_refused(std::string_view(bytes).substr(0, bytes.size() - 1),
+                       "a.stl: the header says 20 triangles, the file holds 19");
+    expect_stl_refused(bytes + std::string(50, ' '),
+                       "a.stl: the header says 20 triangles, the file holds 21");
     const std::string one = facet("0 0 0", "1 0 0", "0 1 0");
-    expect_refused("solid\n" + one, "'endsolid' is missing");
-    expect_refused("solid\n" + facet("0 0 0", "1 0", "0 1 0") + "endsolid\n",
-                   "a.stl:5: expected a number (z)");
-    expect_refused("solid\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid\n", "a.stl:5: coordinate z");
-    expect_refused("solid\nouter loop\nvertex 0 0 0\nvertex 1 1 1\nendloop\nendsolid\n",
-                   "a.stl:5: a facet needs 3 corners, this one has 2");
-    expect_refused("solid\nhello\nendsolid\n", "a.stl:2: not a line of a text STL");
-    expect_refused("solid\nendsolid\n", "a.stl: the mesh has no vertices");
+    expect_stl_refused("solid\n" + one, "'endsolid' is missing");
+    expect_stl_refused("solid\n" + facet("0 0 0", "1 0", "0 1 0") + "endsolid\n",
+                       "a.stl:5: expected a number (z)");
+    expect_stl_refused("solid\n" + facet("0 0 0", "1 0 nan", "0 1 0") + "endsolid\n",
+                       "a.stl:5: coordinate z");
+    expect_stl_refused("solid\nouter loop\nvertex 0 0 0\nvertex 1 1 1\nendloop\nendsolid\n",
+                       "a.stl:5: a facet needs 3 corners, this one has 2");
+    expect_stl_refused("solid\nhello\nendsolid\n", "a.stl:2: not a line of a text STL");
+    expect_stl_refused("solid\nendsolid\n", "a.stl: the mesh has no vertices");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace counterpart {
 namespace {
 
-TriangleMesh lopsided() { return test::with_flipped_edges(make_icosphere(4), 300, 7).mesh; }
+TriangleMesh lopsided_sphere() { return test::with_flipped_edges(make_icosphere(4), 300, 7).mesh; }
 
 TEST(FindDifferences, RefusesInvalidMeshes) {
     EXPECT_THROW(find_differences({}, make_grid(1, 1)), InvalidInput);
@@ -25,7 +25,7 @@ TEST(FindDifferences, RefusesInvalidMeshes) {
 }
 
 TEST(FindDifferences, NamesAFlippedEdge) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     for (const Index count : {1, 10, 25}) {
         const test::EditedMesh edited = test::with_flipped_edges(mesh, count, 21);
         const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
@@ -38,7 +38,7 @@ TEST(FindDifferences, NamesAFlippedEdge) {
 }
 
 TEST(FindDifferences, NamesARemovedVertex) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const test::EditedMesh edited = test::without_vertex(mesh, seed);
         const test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
@@ -51,7 +51,7 @@ TEST(FindDifferences, NamesARemovedVertex) {
 }
 
 TEST(FindDifferences, FindsMissingFaces) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     const test::EditedMesh edited = test::with_missing_triangles(mesh, 0.05, 5);
     const test::DisguisedMesh target = test::shuffled(edited.mesh, 6);
     test::expect_found(edited, 0.999, find_differences(mesh, target.mesh), target.mesh_from_original);
@@ -62,7 +62,7 @@ TEST(FindDifferences, NamesAMissingComponent) {
     component.vertices.rowwise() += Eigen::RowVector3d(3, 0, 0);
     TriangleMesh other = component;
     other.vertices.rowwise() += Eigen::RowVector3d(0, 3, 0);
-    const TriangleMesh part = test::joined(lopsided(), other);
+    const TriangleMesh part = test::joined(lopsided_sphere(), other);
     const TriangleMesh mesh = test::joined(part, component);
     const test::DisguisedMesh target = test::shuffled(part, 4);
     const MeshDifferences difference = find_differences(mesh, target.mesh);
@@ -89,7 +89,7 @@ TEST(FindDifferences, FindsNothingInCommonOfUnrelatedMeshes) {
 }
 
 TEST(FindDifferences, TellsHowMuchIsShared) {
-    const TriangleMesh mesh = lopsided(), ball = make_icosphere(1);
+    const TriangleMesh mesh = lopsided_sphere(), ball = make_icosphere(1);
     TriangleMesh far = ball;
     far.vertices.rowwise() += Eigen::RowVector3d(5, 0, 0);
     const MeshDifferences difference =
@@ -101,7 +101,7 @@ TEST(FindDifferences, TellsHowMuchIsShared) {
 }
 
 TEST(FindDifferences, SeesThatTheWindingIsReversed) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     const test::EditedMesh edited = test::with_flipped_edges(mesh, 10, 21);
     test::DisguisedMesh target = test::shuffled(test::moved(edited.mesh, 1), 22);
     target.mesh.triangles.col(1).swap(target.mesh.triangles.col(2));
@@ -120,7 +120,7 @@ TEST(FindDifferences, SaysThatARegularMeshIsAmbiguous) {
 }
 
 TEST(FindDifferences, IsTheSameForAnyNumberOfThreadsAndStops) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     const test::DisguisedMesh target = test::shuffled(test::with_flipped_edges(mesh, 25, 3).mesh, 22);
     DifferencesOptions options;
     std::vector<double> seen;

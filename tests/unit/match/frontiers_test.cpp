@@ -18,7 +18,7 @@ namespace counterpart {
 namespace {
 
 // A bumpy sphere: regular connectivity with many symmetries, positions with none.
-TriangleMesh bumpy_sphere(int subdivisions, double bend = 0) {
+TriangleMesh uneven_sphere(int subdivisions, double bend = 0) {
     TriangleMesh mesh = make_icosphere(subdivisions);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         const double x = mesh.vertices(v, 0), y = mesh.vertices(v, 1), z = mesh.vertices(v, 2);
@@ -102,8 +102,8 @@ TEST(MatchFrontiers, IrregularConnectivityDecidesAlone) {
 }
 
 TEST(MatchFrontiers, PositionsDecideWhereConnectivityIsSymmetric) {
-    const TriangleMesh source = bumpy_sphere(3);
-    const auto target = test::shuffled(test::moved(bumpy_sphere(3, 0.1), 5), 6);
+    const TriangleMesh source = uneven_sphere(3);
+    const auto target = test::shuffled(test::moved(uneven_sphere(3, 0.1), 5), 6);
     const FrontiersResult result = match_frontiers(source, target.mesh);
     EXPECT_EQ(result.target_from_source, target.mesh_from_original);
     EXPECT_GT(result.n_decided_by_position, 0);
@@ -156,7 +156,7 @@ TEST(MatchFrontiers, PairingsAndMetrics) {
 }
 
 TEST(MatchFrontiers, EdgeSplitsDropTheirNewVertices) {
-    const TriangleMesh source = bumpy_sphere(2);
+    const TriangleMesh source = uneven_sphere(2);
     const auto target = test::shuffled(source, 6);
     FrontiersOptions options;
     options.edge_splits = true;
@@ -181,7 +181,7 @@ TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
 TEST(MatchFrontiers, ComponentsAlikeAreToldApartByPosition) {
     std::vector<TriangleMesh> parts{irregular_grid(20, 12, 1)};
     for (int i = 0; i < 5; ++i) {
-        TriangleMesh piece = bumpy_sphere(1);
+        TriangleMesh piece = uneven_sphere(1);
         piece.vertices *= 0.05;
         piece.vertices.rowwise() += Eigen::RowVector3d(0.2 * i, 0.1 * (i % 2), 0.3);
         parts.push_back(piece);

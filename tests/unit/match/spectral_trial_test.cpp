@@ -13,7 +13,7 @@ namespace counterpart::spectral_match {
 namespace {
 
 // A sphere with spikes of other lengths along +x and -x, and one along +y.
-TriangleMesh spiky() {
+TriangleMesh spiky_sphere() {
     TriangleMesh mesh = make_icosphere(4);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {
         const auto p = mesh.vertices.row(v);
@@ -25,7 +25,7 @@ TriangleMesh spiky() {
 }
 
 struct SpectralTrial : testing::Test {
-    const PreparedShape shape = prepare(spiky(), {.n_functions = 100, .n_samples = 300});
+    const PreparedShape shape = prepare(spiky_sphere(), {.n_functions = 100, .n_samples = 300});
     const SampledPair pair{shape, shape, 300, CueTuning{}.radius};
     Candidate right, wrong;  // where x is large, `wrong` goes to the sample nearest to the mirrored place
 
