@@ -15,10 +15,10 @@
 // are geodesic, times 100 / sqrt(target area); seconds are processor time of stages 2 to 5. One thread.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
+#include "match/spectral/final_choice.hpp"
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/selection.hpp"
-#include "match/spectral/trial.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
@@ -45,7 +45,7 @@ namespace fs = std::filesystem;
 
 struct Variant {
     std::string name;
-    int first_stage;  // that it changes: 2 candidates, 3 selection, 4 trial, 5 refinement
+    int first_stage;  // that it changes: 2 candidates, 3 selection, 4 final choice, 5 refinement
     std::function<void(SpectralTuning&)> change;
 };
 
@@ -60,7 +60,7 @@ std::vector<Variant> stages() {
         {"no extrinsic candidates", 2, [](T& t) { t.candidates.extrinsic.enabled = false; }},
         {"no sign flips", 2, [](T& t) { t.candidates.n_flip_rounds = 0; }},
         {"no crossover", 3, [](T& t) { t.selection.n_crossed = 0; }},
-        {"no trial", 4, [](T& t) { t.trial.n_tried = 1; }},
+        {"no final choice", 4, [](T& t) { t.final_choice.n_tried = 1; }},
         {"no elastic fit", 5, [](T& t) { t.refinement.position_weight = t.refinement.normal_weight = 0; }},
         {"no rounds of refinement", 5, [](T& t) { t.refinement.n_rounds = 0; }}};
 }
@@ -135,13 +135,14 @@ std::vector<Variant> constants() {
     add(
         "selection: final w_r", 3, [](T & t) -> auto& { return t.selection.final_score.rigidity; });
     add(
-        "trial: relief weight", 4, [](T & t) -> auto& { return t.trial.cues.relief_weight; });
+        "final choice: relief weight", 4, [](T & t) -> auto& { return t.final_choice.cues.relief_weight; });
     add(
-        "trial: residual weight", 4, [](T & t) -> auto& { return t.trial.cues.residual_weight; });
+        "final choice: residual weight", 4,
+        [](T & t) -> auto& { return t.final_choice.cues.residual_weight; });
     add(
-        "trial: wring weight", 4, [](T & t) -> auto& { return t.trial.cues.wring_weight; });
+        "final choice: wring weight", 4, [](T & t) -> auto& { return t.final_choice.cues.wring_weight; });
     add(
-        "trial: tried", 4, [](T & t) -> auto& { return t.trial.n_tried; });
+        "final choice: tried", 4, [](T & t) -> auto& { return t.final_choice.n_tried; });
     add(
         "refinement: first match size", 5, [](T & t) -> auto& { return t.refinement.first_match_size; });
     add(
@@ -222,7 +223,7 @@ struct Stage {
     double seconds = 0;
 };
 struct Shared {
-    Stage candidates, selection, trial;
+    Stage candidates, selection, final_choice;
     struct Refinement {
         std::vector<Index> start;
         double error = 0, seconds = 0;
@@ -239,7 +240,7 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     SpectralTuning tuning;
     variant.change(tuning);
     const PreparedShape &a = source.shape, &b = target.shape;
-    const bool is_reference = shared.trial.maps.empty();
+    const bool is_reference = shared.final_choice.maps.empty();
     Stage now;
     const auto take = [&](int number, Stage& known, const auto& stage) {
         if (variant.first_stage > number) {
@@ -256,10 +257,11 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     take(3, shared.selection, [&] {
         now.maps = select(coarse, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
     });
-    take(4, shared.trial, [&] {
-        run_trials(now.maps,
-                   SampledPair(a, b, std::max(a.samples.size(), b.samples.size()), tuning.trial.cues.radius),
-                   tuning.trial);
+    take(4, shared.final_choice, [&] {
+        choose_best(
+            now.maps,
+            SampledPair(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_choice.cues.radius),
+            tuning.final_choice);
     });
     if (variant.first_stage < 5)
         for (const auto& known : shared.refinements)

@@ -7,17 +7,17 @@
 //
 // FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
 // not run again. Finalists come best first, so that the first one is the choice; their errors are those after
-// the trial refinement, that of the choice also after the full one ("mean_error"). Errors are geodesic at
+// the brief refinement, that of the choice also after the full one ("mean_error"). Errors are geodesic at
 // every 8th point, times 100 / sqrt(target area). A pair above 6 is matched again with one landmark
 // ("with_landmark"). Two pairs run at a time, on one thread each. The last line
 // on stdout: pairs, mean error of the chosen, of the best finalist, and how many are above 6.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/spectral/final_choice.hpp"
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/selection.hpp"
-#include "match/spectral/trial.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
@@ -126,9 +126,9 @@ Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors&
     Matched result{select(coarse, find_candidates(coarse, tuning.candidates), tuning.selection.n_finalists,
                           tuning.selection),
                    {}};
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.trial.cues.radius,
+    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_choice.cues.radius,
                           priors);
-    run_trials(result.finalists, all, tuning.trial);
+    choose_best(result.finalists, all, tuning.final_choice);
     result.refined = refine(a, b, result.finalists.front(), priors.pins(), tuning.refinement);
     return result;
 }

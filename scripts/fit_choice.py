@@ -70,7 +70,7 @@ def report(name, pairs, w):
 
 
 def totals(pair, w):
-    """Of the finalists in the program's order, as TrialTuning has them."""
+    """Of the finalists in the program's order, as FinalChoiceTuning has them."""
     return pair["features"] @ w / (1 + w[1])
 
 

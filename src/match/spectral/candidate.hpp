@@ -12,7 +12,7 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;  // from its trial refinement; empty before
+    PairedMaps on_vertices;  // from the brief refinement before the final choice; empty earlier
     Cues cues;
     bool was_flipped = false;  // its sign flips have been tried
 };

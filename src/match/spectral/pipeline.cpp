@@ -4,10 +4,10 @@
 
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/spectral/final_choice.hpp"
 #include "match/spectral/lift.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/selection.hpp"
-#include "match/spectral/trial.hpp"
 #include "match/spectral/warnings.hpp"
 
 #include <algorithm>
@@ -66,11 +66,11 @@ std::vector<Candidate> find_finalists(const PreparedShape& source, const Prepare
     candidates = select(coarse, std::move(candidates), std::max(tuning.selection.n_finalists, n_asked),
                         tuning.selection, progress.part(0.3, 0.7));
     watch.lap("selection");
-    const SampledPair all(source, target, n_samples(source, target), tuning.trial.cues.radius, priors);
-    TrialTuning trial = tuning.trial;
-    trial.n_tried = std::max(trial.n_tried, n_asked);
-    run_trials(candidates, all, trial, progress.part(0.7, 1));
-    watch.lap("trial");
+    const SampledPair all(source, target, n_samples(source, target), tuning.final_choice.cues.radius, priors);
+    FinalChoiceTuning choice = tuning.final_choice;
+    choice.n_tried = std::max(choice.n_tried, n_asked);
+    choose_best(candidates, all, choice, progress.part(0.7, 1));
+    watch.lap("final choice");
     return candidates;
 }
 

@@ -155,7 +155,8 @@ struct IslandTuning {
     double max_share = 0.1;  ///< of the area; with 0.25 the maps of 60 pairs of animals are the same
     /// Of the refinement from which on they are put back, each time. On the 32 pairs of animals that this
     /// changes the mean error is 5.72 without, 4.57 in round 4 only, 4.07 from it on; from round 2 on (4.30)
-    /// two right maps are spoiled. A trial has fewer rounds: there a wrong map won by it (one of 24 pairs).
+    /// two right maps are spoiled. The final choice has fewer rounds: there a wrong map won by it (one of 24
+    /// pairs).
     int first_round = 4;
 };
 
@@ -192,8 +193,8 @@ struct CueTuning {
     double drift_weight = 15;
 };
 
-/// Stage 4, trial refinement of the finalists.
-struct TrialTuning {
+/// Stage 4, the final choice among briefly refined finalists.
+struct FinalChoiceTuning {
     std::size_t n_tried = 8;    ///< at most
     double close_score = 0.15;  ///< those farther behind in the selection are matched but not refined
     CueTuning cues;
@@ -232,7 +233,7 @@ struct SpectralTuning {
     PriorTuning priors;
     CandidateTuning candidates;
     SelectionTuning selection;
-    TrialTuning trial;
+    FinalChoiceTuning final_choice;
     RefinementTuning refinement;
     ConfidenceTuning confidence;
 };

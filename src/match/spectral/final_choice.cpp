@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/trial.hpp"
+#include "match/spectral/final_choice.hpp"
 
 #include "base/parallel.hpp"
 #include "match/spectral/refinement.hpp"
@@ -22,8 +22,8 @@ double total_score(const Scores& selection, const Cues& cues, const CueTuning& t
 
 }  // namespace
 
-void run_trials(std::vector<Candidate>& finalists, const SampledPair& all, const TrialTuning& tuning,
-                const ProgressRange& progress) {
+void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, const FinalChoiceTuning& tuning,
+                 const ProgressRange& progress) {
     finalists.resize(std::min(finalists.size(), tuning.n_tried));
     const VertexPairs pins = all.priors.pins();
     const double least = finalists.empty() ? 0 : finalists.front().scores.total - tuning.close_score;

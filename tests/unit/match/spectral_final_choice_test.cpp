@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/trial.hpp"
+#include "match/spectral/final_choice.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
 
@@ -24,12 +24,12 @@ TriangleMesh spiky_sphere() {
     return mesh;
 }
 
-struct SpectralTrial : testing::Test {
+struct SpectralFinalChoice : testing::Test {
     const PreparedShape shape = prepare(spiky_sphere(), {.n_functions = 100, .n_samples = 300});
     const SampledPair pair{shape, shape, 300, CueTuning{}.radius};
     Candidate right, wrong;  // where x is large, `wrong` goes to the sample nearest to the mirrored place
 
-    SpectralTrial() {
+    SpectralFinalChoice() {
         std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size())), exchanged;
         std::iota(identity.begin(), identity.end(), 0);
         const float far = 0.5F * pair.positions_a.col(0).cwiseAbs().maxCoeff();
@@ -50,27 +50,27 @@ struct SpectralTrial : testing::Test {
     }
 };
 
-TEST_F(SpectralTrial, AWrongLimbLosesItsSmallLead) {
+TEST_F(SpectralFinalChoice, AWrongLimbLosesItsSmallLead) {
     std::vector<Candidate> finalists{wrong, right};
-    run_trials(finalists, pair, {});
+    choose_best(finalists, pair, {});
     EXPECT_EQ(finalists.front().maps.b_from_a, right.maps.b_from_a);
     EXPECT_GT(finalists.front().scores.total, finalists.back().scores.total + 0.05);
 }
 
-TEST_F(SpectralTrial, CuesOfTheTruthAreTheBestThereAre) {
+TEST_F(SpectralFinalChoice, CuesOfTheTruthAreTheBestThereAre) {
     std::vector<Candidate> finalists{right};
-    run_trials(finalists, pair, {});
+    choose_best(finalists, pair, {});
     const Cues& cues = finalists.front().cues;
     for (const double correlation : cues.relief) EXPECT_GT(correlation, 0.99);
     EXPECT_LT(cues.residual, 0.01);
     EXPECT_LT(cues.wring, 0.05);
 }
 
-TEST_F(SpectralTrial, OnlyAsManyAsAskedForAreTried) {
+TEST_F(SpectralFinalChoice, OnlyAsManyAsAskedForAreTried) {
     std::vector<Candidate> finalists{wrong, right};
-    TrialTuning tuning;
+    FinalChoiceTuning tuning;
     tuning.n_tried = 1;
-    run_trials(finalists, pair, tuning);
+    choose_best(finalists, pair, tuning);
     ASSERT_EQ(finalists.size(), 1U);
     EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
 }

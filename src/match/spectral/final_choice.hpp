@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/spectral/candidate.hpp"
+
+namespace counterpart::spectral_match {
+
+/// Stage 4: which of the finalists is not half-turned and has each limb in its place. The best, between all
+/// samples, are refined briefly (`on_vertices`) and sorted by a total score in which fine relief, similarity
+/// of neighborhoods and wringing count too (cues.hpp): before they are refined, a half-turned body fits as
+/// well as the right one. `all` has neighborhoods of CueTuning::radius.
+void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, const FinalChoiceTuning& tuning,
+                 const ProgressRange& progress = {});
+
+}  // namespace counterpart::spectral_match
