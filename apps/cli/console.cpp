@@ -5,7 +5,9 @@
 #include "interrupt.hpp"
 
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -130,8 +132,8 @@ AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const Com
 }
 
 bool holds_tetrahedra(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension == ".msh" || extension == ".mesh" || extension == ".vtk";
+    const std::vector<std::string> solids = mesh_extensions().written_solids;
+    return std::find(solids.begin(), solids.end(), lower_extension(file)) != solids.end();
 }
 
 std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options) {

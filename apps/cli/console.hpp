@@ -65,7 +65,7 @@ TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& o
 /// The same, with the attributes that the file holds.
 AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options);
 
-/// Whether the format that the name tells is one that solids are written in: .msh, .mesh, .vtk.
+/// Whether the format that the name tells is one that solids are written in.
 bool holds_tetrahedra(const std::filesystem::path& file);
 /// The tetrahedra of a file that has any, with its notices printed.
 std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options);

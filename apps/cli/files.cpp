@@ -4,6 +4,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,19 +32,24 @@ struct Endings {
     std::vector<std::string> fitting;
 };
 
+std::vector<std::string> written_meshes() {
+    const MeshExtensions extensions = mesh_extensions();
+    std::vector<std::string> all = extensions.written;
+    all.insert(all.end(), extensions.written_solids.begin(), extensions.written_solids.end());
+    return all;
+}
+
 const Endings& endings_of(Content content) {
-    static const std::map<Content, Endings> endings = {
-        {Content::mesh,
-         {"a mesh", {".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".msh", ".mesh", ".vtk"}}},
-        {Content::matrix, {"a matrix", {".npy"}}},
-        {Content::page, {"a web page", {".html", ".htm"}}},
-        {Content::picture, {"a picture", {".png", ".svg"}}},
-        {Content::map, {"a map", {}}},
-        {Content::table, {"a table", {}}},
-        {Content::report, {"a report", {}}},
-        {Content::frames, {"the frames", {}}},
-        {Content::prefix, {"maps", {}}},
-        {Content::folder, {"files", {}}}};
+    static const std::map<Content, Endings> endings = {{Content::mesh, {"a mesh", written_meshes()}},
+                                                       {Content::matrix, {"a matrix", {".npy"}}},
+                                                       {Content::page, {"a web page", {".html", ".htm"}}},
+                                                       {Content::picture, {"a picture", {".png", ".svg"}}},
+                                                       {Content::map, {"a map", {}}},
+                                                       {Content::table, {"a table", {}}},
+                                                       {Content::report, {"a report", {}}},
+                                                       {Content::frames, {"the frames", {}}},
+                                                       {Content::prefix, {"maps", {}}},
+                                                       {Content::folder, {"files", {}}}};
     return endings.at(content);
 }
 

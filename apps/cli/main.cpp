@@ -7,6 +7,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <cstdio>
 #include <exception>
@@ -15,15 +16,17 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 int main(int argc, char** argv) {
     CLI::App program{"Which point of mesh B is this point of mesh A?", "counterpart"};
     program.set_version_flag("--version", COUNTERPART_VERSION);
     program.require_subcommand(1);
-    program.footer(  // which every command inherits
-        "Mesh files are read from .off, .obj, .ply, .stl, .glb, .gltf, .msh, .mesh, .vtk, .ele and .poly, "
-        "and "
-        "written to .off, .obj, .ply, .stl, .glb and .gltf; solids to .msh, .mesh and .vtk.");
+    const counterpart::MeshExtensions extensions = counterpart::mesh_extensions();
+    program.footer(fmt::format(  // which every command inherits
+        "Mesh files are read from {}, and written to {}; solids to {}.", fmt::join(extensions.read, " "),
+        fmt::join(extensions.written, " "), fmt::join(extensions.written_solids, " ")));
     counterpart::cli::add_convert(program);
     counterpart::cli::add_deform(program);
     counterpart::cli::add_inspect(program);

@@ -7,6 +7,7 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/gltf.hpp>
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/transfer/morph.hpp>
 
 #include <algorithm>
@@ -183,10 +184,8 @@ void add_morph(CLI::App& program) {
         "except morph targets, and frame_0001 to frame_<n+1> as its morph targets, played by an animation")
         ->required();
     command->format_option =
-        morph
-            ->add_option("--format", command->format,
-                         "File format of frames in a folder: .obj, .ply, .off, .stl, .glb or .gltf")
-            ->check(one_of({".obj", ".ply", ".off", ".stl", ".glb", ".gltf"}))
+        morph->add_option("--format", command->format, "File format of frames in a folder, by its extension")
+            ->check(one_of(mesh_extensions().written))
             ->capture_default_str();
     command->speed_option = morph
                                 ->add_option("--fps", command->frames_per_second,

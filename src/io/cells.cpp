@@ -10,9 +10,6 @@
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/tetrahedral_mesh.hpp>
 
-#include <algorithm>
-#include <array>
-
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -82,19 +79,6 @@ void io::read_corners(TextCursor& text, std::int64_t n_vertices, std::int64_t ba
     }
 }
 
-bool io::holds_cells(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    constexpr std::array<std::string_view, 6> known = {".msh", ".mesh", ".vtk", ".ele", ".node", ".poly"};
-    return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
-Cells io::read_cells(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    if (extension == ".ele" || extension == ".node" || extension == ".poly") return read_ele(file);
-    const auto read = extension == ".msh" ? read_gmsh : extension == ".mesh" ? read_medit : read_vtk;
-    return read(read_whole_file(file), file.string());
-}
-
 MeshFile io::mesh_of_cells(const Cells& cells, const std::string& name) {
     if (cells.tetrahedra.empty()) {
         MeshFile result{cut_into_triangles(PointsView(cells.coordinates.data(),
@@ -111,17 +95,6 @@ MeshFile io::mesh_of_cells(const Cells& cells, const std::string& name) {
             surface.vertices[static_cast<std::size_t>(surface.mesh.triangles.data()[i])];
     result.notices.push_back(fmt::format("the surface of {} tetrahedra", solid.mesh.n_tetrahedra()));
     return result;
-}
-
-std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::path& file) {
-    if (!holds_cells(file)) return std::nullopt;
-    try {
-        const Cells cells = read_cells(file);
-        if (cells.tetrahedra.empty()) return std::nullopt;
-        return solid_of_cells(cells, file.string());
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
-    }
 }
 
 }  // namespace counterpart

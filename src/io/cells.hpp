@@ -46,10 +46,6 @@ Cells parse_outlines(std::string_view poly, std::string_view nodes, const std::s
 /// The .ele beside .node (or .poly, whose vertices are used where there is no .node); a .poly alone.
 Cells read_ele(const std::filesystem::path& file);
 
-/// Whether the extension is one of these formats': .msh, .mesh, .vtk, .ele, .node, .poly.
-bool holds_cells(const std::filesystem::path& file);
-/// Throws IoError.
-Cells read_cells(const std::filesystem::path& file);
 /// The tetrahedra, turned round where all are inverted. Throws IoError with the line of a single one that is
 /// inverted or flat, or on which a vertex hangs.
 TetrahedralMeshFile solid_of_cells(const Cells& cells, const std::string& name);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// One reader and one writer per mesh format, between the bytes of a whole file and a mesh.
+// One reader and one writer per mesh format, between the bytes of a whole file and a mesh; format_table.cpp
+// lists them with those of other files.
 //
 // They are our own because the readers of the libraries at hand (CGAL's polygon soups among them) give no
 // line numbers, let bad indices pass, and take longer; text goes through std::from_chars, and files are read
@@ -17,9 +18,6 @@
 
 namespace counterpart::io {
 
-/// The extension that decides the format; standard output gets OBJ.
-std::string mesh_extension(const std::filesystem::path& file);
-
 MeshFile read_off(std::string_view bytes, const std::string& name);
 MeshFile read_obj(std::string_view bytes, const std::string& name);
 MeshFile read_ply(std::string_view bytes, const std::string& name);
@@ -34,6 +32,7 @@ std::string ply_bytes(const AttributedMesh& content);
 std::string off_bytes(MeshView mesh);
 std::string obj_bytes(MeshView mesh);
 std::string ply_bytes(MeshView mesh);
+/// Throws InvalidInput if a coordinate is too large for its floats.
 std::string stl_bytes(MeshView mesh);
 
 }  // namespace counterpart::io

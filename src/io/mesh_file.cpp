@@ -1,16 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "io/cells.hpp"
-#include "io/formats.hpp"
+#include "io/format_table.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/file.hpp>
-#include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
-
-#include <algorithm>
-#include <array>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -20,68 +13,105 @@ using namespace io;
 
 namespace {
 
-struct Format {
-    std::string_view extension;
-    MeshFile (*read)(std::string_view bytes, const std::string& name);
-    std::string (*bytes)(MeshView mesh);
-};
-
-constexpr std::array<Format, 4> formats = {{{".off", read_off, off_bytes},
-                                            {".obj", read_obj, obj_bytes},
-                                            {".ply", read_ply, ply_bytes},
-                                            {".stl", read_stl, stl_bytes}}};
-
-const Format& format_of(const std::filesystem::path& file) {
-    const std::string extension = mesh_extension(file);
-    const auto* found = std::find_if(formats.begin(), formats.end(),
-                                     [&](const Format& format) { return format.extension == extension; });
-    if (found == formats.end()) {
-        throw IoError(fmt::format(
-            "{}: the name must end in .off, .obj, .ply, .stl, .glb or .gltf, which tells the format",
-            file.string()));
-    }
-    return *found;
+// The extensions of the formats that have one of two members (or that one).
+template <typename First, typename Second>
+std::vector<std::string> extensions_with(First MeshFormat::*first, Second MeshFormat::*second) {
+    std::vector<std::string> result;
+    for (const MeshFormat& format : mesh_formats())
+        if (format.*first || format.*second) result.emplace_back(format.extension);
+    return result;
 }
+
+[[noreturn]] void fail_on_extension(const std::filesystem::path& file, const char* what,
+                                    const std::vector<std::string>& extensions) {
+    throw IoError(fmt::format("{}: the name of {} must end in {}, which tells the format", file.string(),
+                              what, fmt::join(extensions, ", ")));
+}
+
+// What `work` gives; InvalidInput becomes IoError with the file's name and `prefix`.
+template <typename Work>
+auto naming(const std::filesystem::path& file, const char* prefix, const Work& work) {
+    try {
+        return work();
+    } catch (const InvalidInput& error) {
+        throw IoError(fmt::format("{}: {}{}", file.string(), prefix, error.what()));
+    }
+}
+
+constexpr const char* not_written = "not written: ";
 
 }  // namespace
 
-std::string io::mesh_extension(const std::filesystem::path& file) {
-    const std::string extension = lower_extension(file);
-    return extension.empty() && file == "/dev/stdout" ? ".obj" : extension;
+MeshExtensions mesh_extensions() {
+    return {extensions_with(&MeshFormat::read, &MeshFormat::read_cells),
+            extensions_with(&MeshFormat::write, &MeshFormat::write),
+            extensions_with(&MeshFormat::write_solid, &MeshFormat::write_solid)};
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
-    if (is_gltf(file)) {
-        GltfFile gltf = read_gltf(file, options);
-        return {std::move(gltf.content.mesh), std::move(gltf.notices)};
-    }
-    try {
-        MeshFile result = holds_cells(file) ? mesh_of_cells(read_cells(file), file.string())
-                                            : format_of(file).read(read_whole_file(file), file.string());
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
+    return naming(file, "", [&] {
+        MeshFile result = format->read != nullptr ? format->read(file, options)
+                                                  : mesh_of_cells(format->read_cells(file), file.string());
         require_valid(result.mesh);
         return result;
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+    });
+}
+
+AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const ReadOptions& options) {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr || format->read_attributed == nullptr) {
+        MeshFile plain = read_mesh(file, options);
+        AttributedMeshFile result;
+        result.content.mesh = std::move(plain.mesh);
+        result.notices = std::move(plain.notices);
+        return result;
     }
+    return naming(file, "", [&] {
+        AttributedMeshFile result = format->read_attributed(file, options);
+        require_valid(result.content.mesh);
+        return result;
+    });
+}
+
+std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::path& file) {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr || format->read_cells == nullptr) return std::nullopt;
+    return naming(file, "", [&]() -> std::optional<TetrahedralMeshFile> {
+        const Cells cells = format->read_cells(file);
+        if (cells.tetrahedra.empty()) return std::nullopt;
+        return solid_of_cells(cells, file.string());
+    });
 }
 
 void write_mesh(MeshView mesh, const std::filesystem::path& file) {
-    if (is_gltf(file)) {
-        AttributedMesh content;
-        content.mesh = mesh.copy();
-        write_gltf(content, file);
-        return;
-    }
-    const Format& format = format_of(file);
-    try {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr || format->write == nullptr)
+        fail_on_extension(file, "a mesh", mesh_extensions().written);
+    naming(file, not_written, [&] {
         require_valid(mesh);
-        if (format.extension == ".stl" &&
-            mesh.vertices.cwiseAbs().maxCoeff() > static_cast<double>(std::numeric_limits<float>::max()))
-            throw InvalidInput("a coordinate is too large for the floats of STL");
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
-    }
-    write_file(format.bytes(mesh), file);
+        format->write(mesh, file);
+    });
+}
+
+void write_attributed_mesh(const AttributedMesh& content, const std::filesystem::path& file) {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr || format->write_attributed == nullptr) return write_mesh(content.mesh, file);
+    naming(file, not_written, [&] {
+        require_consistent(content);
+        format->write_attributed(content, file);
+    });
+}
+
+void write_tetrahedral_mesh(const TetrahedralMesh& mesh, const std::filesystem::path& file) {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr || format->write_solid == nullptr)
+        fail_on_extension(file, "a mesh of tetrahedra", mesh_extensions().written_solids);
+    naming(file, not_written, [&] {
+        require_valid(mesh);
+        format->write_solid(mesh, file);
+    });
 }
 
 }  // namespace counterpart

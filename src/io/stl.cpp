@@ -13,6 +13,7 @@
 #include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -103,6 +104,8 @@ MeshFile read_stl(std::string_view bytes, const std::string& name) {
 }
 
 std::string stl_bytes(MeshView mesh) {
+    if ((mesh.vertices.array().abs() > static_cast<double>(std::numeric_limits<float>::max())).any())
+        throw InvalidInput("a coordinate is too large for the floats of STL");
     std::string bytes = "binary STL";
     bytes.resize(header_size, ' ');
     bytes.reserve(prefix_size + static_cast<std::size_t>(mesh.n_triangles()) * facet_size);

@@ -62,20 +62,4 @@ std::string io::vtk_bytes(const TetrahedralMesh& mesh) {
     return text;
 }
 
-void write_tetrahedral_mesh(const TetrahedralMesh& mesh, const std::filesystem::path& file) {
-    try {
-        require_valid(mesh);
-    } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
-    }
-    const std::string extension = lower_extension(file);
-    if (extension != ".msh" && extension != ".mesh" && extension != ".vtk")
-        throw IoError(fmt::format("{}: the name of a mesh of tetrahedra must end in .msh, .mesh or .vtk",
-                                  file.string()));
-    write_file(extension == ".msh"    ? gmsh_bytes(mesh)
-               : extension == ".mesh" ? medit_bytes(mesh)
-                                      : vtk_bytes(mesh),
-               file);
-}
-
 }  // namespace counterpart

@@ -14,6 +14,14 @@
 
 namespace counterpart {
 
+/// Extensions of the files of meshes, in lower case with their dots.
+struct MeshExtensions {
+    std::vector<std::string> read;            ///< that read_mesh takes
+    std::vector<std::string> written;         ///< that write_mesh takes
+    std::vector<std::string> written_solids;  ///< that write_tetrahedral_mesh takes
+};
+MeshExtensions mesh_extensions();
+
 /// A mesh as read, and what the reader changed.
 struct MeshFile {
     /// Vertex order and count exactly as in the file (STL: welded by position; glTF: at seams).

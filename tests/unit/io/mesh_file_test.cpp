@@ -3,12 +3,14 @@
 //
 // What all formats have in common; the formats' own rules are tested beside this file.
 #include "base/random.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -72,6 +74,34 @@ TEST(MeshFile, RefusesWhatHasNoFormatOrIsNotThere) {
     EXPECT_THROW(read_mesh(folder / "folder.obj"), IoError);
     EXPECT_THROW(write_mesh(make_icosphere(0), folder / "a.xyz"), IoError);
     EXPECT_THROW(write_mesh(make_icosphere(0), folder / "absent" / "a.obj"), IoError);
+}
+
+TEST(MeshFile, EveryExtensionThatIsListedIsWrittenAndRead) {
+    const TemporaryFolder folder;
+    const MeshExtensions extensions = mesh_extensions();
+    EXPECT_EQ(extensions.read.size(), 12U);
+    EXPECT_EQ(extensions.written.size(), 6U);
+    EXPECT_EQ(extensions.written_solids.size(), 3U);
+    const TriangleMesh surface = make_icosphere(1);
+    const TetrahedralMesh solid{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Tetrahedra{{0, 1, 2, 3}}};
+    for (const std::string& extension : extensions.written) {
+        write_mesh(surface, folder / ("surface" + extension));
+        EXPECT_EQ(read_mesh(folder / ("surface" + extension)).mesh.n_triangles(), 80) << extension;
+        EXPECT_EQ(std::count(extensions.read.begin(), extensions.read.end(), extension), 1) << extension;
+    }
+    for (const std::string& extension : extensions.written_solids) {
+        write_tetrahedral_mesh(solid, folder / ("solid" + extension));
+        EXPECT_EQ(read_tetrahedral_mesh(folder / ("solid" + extension))->mesh.n_tetrahedra(), 1) << extension;
+        EXPECT_EQ(read_mesh(folder / ("solid" + extension)).mesh.n_triangles(), 4) << extension;
+    }
+}
+
+TEST(MeshFile, AnExtensionThatIsNotOneIsAnsweredWithThoseThatAre) {
+    const TemporaryFolder folder;
+    test::expect_error<IoError>([&] { read_mesh(folder.file("a.fbx", "")); },
+                                ".off, .obj, .ply, .stl, .glb, .gltf, .msh");
+    test::expect_error<IoError>([&] { write_mesh(make_icosphere(0), folder / "a.msh"); },
+                                ".stl, .glb, .gltf, which tells");
 }
 
 TEST(MeshFile, DoesNotWriteWhatItWouldNotRead) {

@@ -49,7 +49,7 @@ TEST(Off, CutsPolygonsIntoFansAndSaysSo) {
     EXPECT_EQ(file.mesh.n_vertices(), 5);
     ASSERT_EQ(file.notices.size(), 1U);
     EXPECT_EQ(file.notices[0],
-              "1 face with more than three off_corners cut into triangles (2 triangles in all)");
+              "1 face with more than three corners cut into triangles (2 triangles in all)");
 }
 
 TEST(Off, NamesLineAndReason) {

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/format_table.hpp"
+
+#include "io/formats.hpp"
+
+#include <counterpart/io/gltf.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace counterpart::io {
+namespace {
+
+using Path = std::filesystem::path;
+
+// Of formats whose readers and writers know only the bytes of one file.
+template <auto read>
+auto from_bytes(const Path& file, const ReadOptions&) {
+    return read(read_whole_file(file), file.string());
+}
+
+template <auto read>
+Cells cells_from_bytes(const Path& file) {
+    return read(read_whole_file(file), file.string());
+}
+
+template <typename Content, std::string (*bytes)(Content)>
+void to_bytes(Content content, const Path& file) {
+    write_file(bytes(content), file);
+}
+
+MeshFile read_gltf_mesh(const Path& file, const ReadOptions& options) {
+    GltfFile gltf = read_gltf(file, options);
+    return {std::move(gltf.content.mesh), std::move(gltf.notices)};
+}
+
+AttributedMeshFile read_gltf_content(const Path& file, const ReadOptions& options) {
+    GltfFile gltf = read_gltf(file, options);
+    return {std::move(gltf.content), std::move(gltf.notices)};
+}
+
+void write_gltf_mesh(MeshView mesh, const Path& file) {
+    AttributedMesh content;
+    content.mesh = mesh.copy();
+    write_gltf(content, file);
+}
+
+void write_gltf_content(const AttributedMesh& content, const Path& file) { write_gltf(content, file); }
+
+constexpr auto write_plain_off = to_bytes<MeshView, off_bytes>;
+constexpr auto write_plain_obj = to_bytes<MeshView, obj_bytes>;
+constexpr auto write_plain_ply = to_bytes<MeshView, ply_bytes>;
+constexpr auto write_plain_stl = to_bytes<MeshView, stl_bytes>;
+constexpr auto write_attributed_obj = to_bytes<const AttributedMesh&, obj_bytes>;
+constexpr auto write_attributed_ply = to_bytes<const AttributedMesh&, ply_bytes>;
+
+constexpr auto table = std::to_array<MeshFormat>({
+    {.extension = ".off", .read = from_bytes<read_off>, .write = write_plain_off},
+    {.extension = ".obj",
+     .read = from_bytes<read_obj>,
+     .read_attributed = from_bytes<read_attributed_obj>,
+     .write = write_plain_obj,
+     .write_attributed = write_attributed_obj},
+    {.extension = ".ply",
+     .read = from_bytes<read_ply>,
+     .read_attributed = from_bytes<read_attributed_ply>,
+     .write = write_plain_ply,
+     .write_attributed = write_attributed_ply},
+    {.extension = ".stl", .read = from_bytes<read_stl>, .write = write_plain_stl},
+    {.extension = ".glb",
+     .read = read_gltf_mesh,
+     .read_attributed = read_gltf_content,
+     .write = write_gltf_mesh,
+     .write_attributed = write_gltf_content},
+    {.extension = ".gltf",
+     .read = read_gltf_mesh,
+     .read_attributed = read_gltf_content,
+     .write = write_gltf_mesh,
+     .write_attributed = write_gltf_content},
+    // Gmsh, Medit, legacy VTK
+    {.extension = ".msh",
+     .read_cells = cells_from_bytes<read_gmsh>,
+     .write_solid = to_bytes<const TetrahedralMesh&, gmsh_bytes>},
+    {.extension = ".mesh",
+     .read_cells = cells_from_bytes<read_medit>,
+     .write_solid = to_bytes<const TetrahedralMesh&, medit_bytes>},
+    {.extension = ".vtk",
+     .read_cells = cells_from_bytes<read_vtk>,
+     .write_solid = to_bytes<const TetrahedralMesh&, vtk_bytes>},
+    // Triangle and TetGen: several files
+    {.extension = ".ele", .read_cells = read_ele},
+    {.extension = ".node", .read_cells = read_ele},
+    {.extension = ".poly", .read_cells = read_ele},
+});
+
+}  // namespace
+
+std::span<const MeshFormat> mesh_formats() { return table; }
+
+const MeshFormat* find_mesh_format(const std::filesystem::path& file) {
+    std::string extension = lower_extension(file);
+    if (extension.empty() && file == "/dev/stdout") extension = ".obj";
+    const auto* const found = std::find_if(table.begin(), table.end(),
+                                           [&](const MeshFormat& row) { return row.extension == extension; });
+    return found == table.end() ? nullptr : found;
+}
+
+}  // namespace counterpart::io
