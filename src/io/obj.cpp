@@ -42,7 +42,7 @@ MeshFile read_obj(std::string_view bytes, const std::string& name) {
     MeshCollector mesh;
     LargestReference largest;
     std::vector<Index> corners;
-    for (; text.next_content(); text.next_line()) {
+    for (; text.next_content(); text.next_statement()) {
         const std::string_view key_word = text.word();
         if (key_word == "v") {
             const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");

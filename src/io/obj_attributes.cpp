@@ -73,7 +73,7 @@ ObjAttributes scan(std::string_view bytes, const std::string& name) {
         if (is_new) found.part_names.push_back(material);
         return known->second;
     };
-    for (TextCursor text(bytes, name); text.next_content(); text.next_line()) {
+    for (TextCursor text(bytes, name); text.next_content(); text.next_statement()) {
         const std::string_view key_word = text.word();
         if (key_word == "v") {
             read_vertex(text, found);

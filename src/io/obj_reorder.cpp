@@ -36,6 +36,25 @@ struct ObjText {
     }
 };
 
+bool ends_line(char c) { return c == '\n' || c == '\r'; }
+
+// A line and those that continue it after a backslash as one line, as read_obj takes them.
+std::string with_whole_lines(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    bool in_comment = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        in_comment = !ends_line(text[i]) && (in_comment || text[i] == '#');
+        if (text[i] == '\\' && !in_comment && i + 1 < text.size() && ends_line(text[i + 1])) {
+            i += text.substr(i + 1, 2) == "\r\n" ? 2 : 1;
+            result += ' ';
+        } else {
+            result += text[i];
+        }
+    }
+    return result;
+}
+
 struct Line {
     std::string_view whole, content;  // with the comment and without
 };
@@ -48,9 +67,10 @@ Line take_line(std::string_view& text) {
 }
 
 std::string_view next_word(std::string_view& line) {
-    const auto begin = line.find_first_not_of(" \t");
+    constexpr const char* blanks = " \t\v\f";
+    const auto begin = line.find_first_not_of(blanks);
     if (begin == std::string_view::npos) return line = {};
-    const auto end = std::min(line.find_first_of(" \t", begin), line.size());
+    const auto end = std::min(line.find_first_of(blanks, begin), line.size());
     const std::string_view word = line.substr(begin, end - begin);
     line.remove_prefix(end);
     return word;
@@ -173,7 +193,9 @@ class Writer {
 std::string reorder_obj(std::string_view source_text, std::string_view target_text,
                         const VertexMap& target_from_source, TrianglesView source_triangles,
                         TrianglesView target_corner_from_source) {
-    const ObjText source = parse(source_text), target = parse(target_text);
+    const std::string source_lines = with_whole_lines(source_text),
+                      target_lines = with_whole_lines(target_text);
+    const ObjText source = parse(source_lines), target = parse(target_lines);
     require_valid(target_from_source, static_cast<Index>(source.positions.size()),
                   static_cast<Index>(target.positions.size()));
     for (const Index image : target_from_source.image())
@@ -188,7 +210,7 @@ std::string reorder_obj(std::string_view source_text, std::string_view target_te
                 throw InvalidInput(fmt::format("reorder_obj: corner {} of triangle {} has no partner", c, t));
     }
     return Writer(source, target, target_from_source, source_triangles, target_corner_from_source)
-        .run(source_text);
+        .run(source_lines);
 }
 
 std::string reorder_obj(MeshView source, std::string_view target_text, const VertexMap& target_from_source,

@@ -62,6 +62,16 @@ void TextCursor::next_line() {
     ++line_;
 }
 
+void TextCursor::next_statement() {
+    while (at_ < end_ && !ends_line(*at_) && *at_ != '#') {
+        if (continues_line(at_, end_))
+            next_line();
+        else
+            ++at_;
+    }
+    next_line();
+}
+
 bool TextCursor::next_content() {
     while (at_line_end() && at_ < end_) next_line();
     return at_ < end_;

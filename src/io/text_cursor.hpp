@@ -22,6 +22,8 @@ class TextCursor {
     bool at_line_end();
     /// Moves behind the end of the line.
     void next_line();
+    /// The same for a line and those that continue it.
+    void next_statement();
 
     /// The next word of the line; empty at the line's end.
     std::string_view word();

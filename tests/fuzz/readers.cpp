@@ -15,9 +15,12 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/io/obj_reorder.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <array>
+#include <numeric>
+#include <vector>
 
 namespace counterpart::fuzz {
 namespace {
@@ -53,6 +56,16 @@ void require_attributed(const AttributedMesh& content, const TriangleMesh& plain
     gltf_bytes(content, true);
 }
 
+// In the order that it has.
+void require_same_reordered(std::string_view bytes, const TriangleMesh& plain) {
+    std::vector<Index> all(static_cast<std::size_t>(plain.n_vertices()));
+    std::iota(all.begin(), all.end(), 0);
+    Triangles corners(plain.n_triangles(), 3);
+    std::iota(corners.data(), corners.data() + corners.size(), 0);
+    const std::string again = reorder_obj(bytes, bytes, {all, plain.n_vertices()}, plain.triangles, corners);
+    require(same(plain, read_obj(again, name).mesh));
+}
+
 void read_obj_bytes(std::string_view bytes) {
     const TriangleMesh plain = read_obj(bytes, name).mesh;
     if (!is_valid(plain)) return;
@@ -60,6 +73,7 @@ void read_obj_bytes(std::string_view bytes) {
     const AttributedMesh content = read_attributed_obj(bytes, name).content;
     require_consistent(content);
     require_attributed(content, plain, read_attributed_obj(obj_bytes(content), name).content);
+    require_same_reordered(bytes, plain);
 }
 
 void read_ply_bytes(std::string_view bytes) {

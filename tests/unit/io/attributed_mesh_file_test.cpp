@@ -154,5 +154,16 @@ TEST(AttributedMeshFile, WhatDoesNotFitIsNotWritten) {
         EXPECT_THROW(write_attributed_mesh(content, folder / name), IoError);
 }
 
+// What continues a line that is passed over is passed over as well, by both readers of the file.
+TEST(AttributedMeshFile, WhatContinuesALineOfAnObjBelongsToIt) {
+    const AttributedMesh content = read_attributed(
+        "v 0 0 0\nv 1 0 0 \\\n0.5\nv 0 1 0\nvt 0 0\nvt 1 0 \\\nf 1 2 3\nusemtl a \\\r\nf 1 2 3\n"
+        "g \\\n\\\nf 1 2 3\nf 1/1 2/2 3/1\n",
+        "continued.obj");
+    EXPECT_EQ(content.mesh.triangles, (Triangles{{0, 1, 2}}));
+    EXPECT_EQ(content.texture_coordinates.at(0).corners, (Triangles{{0, 1, 0}}));
+    EXPECT_EQ(content.part_names, std::vector<std::string>{"a"});
+}
+
 }  // namespace
 }  // namespace counterpart::io

@@ -42,6 +42,14 @@ TEST(ReorderObj, KeepsTheSourcesPolygonsGroupsAndMaterials) {
               std::string::npos);
 }
 
+TEST(ReorderObj, TakesLinesThatABackslashContinuesAsOne) {
+    Triangles triangles(1, 3);
+    triangles << 1, 2, 0;
+    const char* const continued = "v 0 \\\n0 0\nv 1 0 0 # not this \\\nv 0 1 0\nf 2 \\\r\n3\v1\n";
+    EXPECT_EQ(reorder_obj(continued, continued, {{0, 1, 2}, 3}, triangles, Triangles{{0, 1, 2}}),
+              "v 0  0 0\nv 1 0 0 \nv 0 1 0\nf 2 3 1\n");
+}
+
 TEST(ReorderObj, RefusesWhatDoesNotFit) {
     Triangles triangles(1, 3), corners(1, 3);
     triangles << 1, 2, 0;

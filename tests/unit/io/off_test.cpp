@@ -48,8 +48,7 @@ TEST(Off, CutsPolygonsIntoFansAndSaysSo) {
     EXPECT_EQ(file.mesh.triangles, (Triangles{{3, 0, 1}, {3, 1, 2}}));
     EXPECT_EQ(file.mesh.n_vertices(), 5);
     ASSERT_EQ(file.notices.size(), 1U);
-    EXPECT_EQ(file.notices[0],
-              "1 face with more than three corners cut into triangles (2 triangles in all)");
+    EXPECT_EQ(file.notices[0], "1 face with more than three corners cut into triangles (2 triangles in all)");
 }
 
 TEST(Off, NamesLineAndReason) {
