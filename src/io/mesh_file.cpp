@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/corner_rows.hpp"
 #include "io/format_table.hpp"
 
 #include <counterpart/base/errors.hpp>
