@@ -54,7 +54,7 @@ class Bar {
         last_ = now;
         shown_ = true;
         constexpr int width = 40;
-        const int filled = static_cast<int>(fraction * width + 0.5);
+        const auto filled = std::lround(fraction * width);
         std::fputs(fmt::format("\r{} [{}{}] {:3.0f} %{}\033[K", label_,
                                std::string(static_cast<std::size_t>(filled), '='),
                                std::string(static_cast<std::size_t>(width - filled), ' '), 100 * fraction,
