@@ -43,20 +43,20 @@ CornerAttribute colors_of(const Vector& distance, double largest, const Triangle
 
 // The share of the scan's surface, in percent, that lies farther from the fit than 2 % of the diagonal: no
 // inaccuracy then, but a part that nothing was laid on.
-double bare_percent(const FitResult& fit, const TriangleMesh& scan, double diagonal) {
+double bare_percent(const FitResult& fit, const Vector& areas) {
     constexpr double far = 0.02;
-    const Vector areas = vertex_areas(scan);
     const double all = areas.sum();
-    const double bare = (fit.scan_distance.array() > far * diagonal).select(areas, 0).sum();
+    const double bare = (fit.scan_distance.array() > far * fit.scan_diagonal).select(areas, 0).sum();
     return all > 0 ? 100 * bare / all : 0;
 }
 
-Json report_of(const FitResult& fit, double diagonal) {
+Json report_of(const FitResult& fit, const Vector& areas) {
     return {{"mean_distance", fit.distance.mean()},
-            {"mean_distance_percent_of_diagonal", 100 * fit.distance.mean() / diagonal},
+            {"mean_distance_percent_of_diagonal", 100 * fit.distance.mean() / fit.scan_diagonal},
             {"p95_distance", quantile(fit.distance, 0.95)},
             {"largest_distance", fit.distance.maxCoeff()},
-            {"mean_scan_distance_percent_of_diagonal", 100 * fit.scan_distance.mean() / diagonal},
+            {"mean_scan_distance_percent_of_diagonal",
+             100 * areas.dot(fit.scan_distance) / std::max(1e-300, areas.sum()) / fit.scan_diagonal},
             {"folded_edges_percent", 100 * fit.folded_edges},
             {"own_folded_edges_percent", 100 * fit.own_folded_edges},
             {"least_area_ratio", fit.least_area_ratio},
@@ -79,7 +79,7 @@ void run(const FitCommand& command) {
     options.progress = {};
     watch.lap("fit");
 
-    const double diagonal = (scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm();
+    const Vector scan_areas = vertex_areas(scan);
     const double largest =
         command.largest_color > 0 ? command.largest_color : std::max(1e-12, quantile(fit.distance, 0.98));
     model.mesh.vertices = fit.vertices;
@@ -92,13 +92,13 @@ void run(const FitCommand& command) {
     say(command.common,
         fmt::format("distance to the scan: mean {:.3g} ({:.3f} % of the diagonal), 95 % within {:.3g}, "
                     "largest {:.3g}",
-                    fit.distance.mean(), 100 * fit.distance.mean() / diagonal, quantile(fit.distance, 0.95),
-                    fit.distance.maxCoeff()));
+                    fit.distance.mean(), 100 * fit.distance.mean() / fit.scan_diagonal,
+                    quantile(fit.distance, 0.95), fit.distance.maxCoeff()));
     say(command.common,
         fmt::format("folded edges: {:.2f} % ({:.2f} % in the template); {} of {} vertices "
                     "follow their neighbors",
                     100 * fit.folded_edges, 100 * fit.own_folded_edges, fit.n_free, model.mesh.n_vertices()));
-    const double bare = bare_percent(fit, scan, diagonal);
+    const double bare = bare_percent(fit, scan_areas);
     constexpr double worth_a_word = 0.5;
     if (bare >= worth_a_word)
         warn(fmt::format(
@@ -114,7 +114,7 @@ void run(const FitCommand& command) {
                    {"scan", command.scan.string()},
                    {"vertices", model.mesh.n_vertices()}};
     report.update(found.report);
-    report.update(report_of(fit, diagonal));
+    report.update(report_of(fit, scan_areas));
     report["bare_percent"] = bare;
     report["seconds"] = to_json(watch.stages());
     write_report(report, command.common);

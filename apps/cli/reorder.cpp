@@ -3,12 +3,16 @@
 #include "commands.hpp"
 #include "compare_meshes.hpp"
 #include "console.hpp"
+#include "match_exact.hpp"
 #include "verdict.hpp"
 
+#include <counterpart/align/fit_surface.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/obj_reorder.hpp>
+#include <counterpart/map/surface_map.hpp>
+#include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/volume.hpp>
 #include <counterpart/transfer/reorder.hpp>
@@ -23,30 +27,33 @@ namespace {
 struct ReorderCommand {
     CommonOptions common;
     ExactOptions options;
+    bool allow_differences = false;
     std::filesystem::path source, target, output;
 };
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
-const Verdict verdict{"use", ""};  // what only connectivity decides is right
+const Verdict right{"use", ""};  // what only connectivity decides
 
 void report(const ReorderCommand& command, Index n_vertices, const std::vector<std::string>& notices,
-            const std::vector<StageTime>& stages = {}) {
+            const std::vector<StageTime>& stages = {}, const Verdict& verdict = right,
+            const Json& details = Json::object()) {
     say(command.common, verdict.sentence());
     for (const std::string& notice : notices) say(command.common, notice);
     say(command.common, fmt::format("{} vertices in the order of {} -> {}", n_vertices,
                                     command.source.string(), command.output.string()));
-    Json json{{"command", "reorder"},
-              {"source", command.source.string()},
-              {"target", command.target.string()},
-              {"verdict", verdict.word},
-              {"vertices", n_vertices},
-              {"messages", notices}};
+    Json json{
+        {"command", "reorder"},    {"source", command.source.string()}, {"target", command.target.string()},
+        {"verdict", verdict.word}, {"verdict_reason", verdict.reason},  {"vertices", n_vertices},
+        {"messages", notices}};
+    json.update(details);
     if (!stages.empty()) json["seconds"] = to_json(stages);
     write_report(json, command.common);
 }
 
 void run_solids(const ReorderCommand& command, TetrahedralMesh source, const TetrahedralMesh& target) {
+    if (command.allow_differences)
+        throw InvalidInput("--allow-differences is for surfaces: the order of solids is restored as a whole");
     const VolumeResult match = match_volume(source, target,
                                             {.method = MatchMethod::exact,
                                              .allow_mirror = command.options.allow_mirror,
@@ -58,6 +65,50 @@ void run_solids(const ReorderCommand& command, TetrahedralMesh source, const Tet
     if (match.mirrored) source.tetrahedra.col(2).swap(source.tetrahedra.col(3));
     write_tetrahedral_mesh(source, command.output);
     report(command, source.n_vertices(), match.notices);
+}
+
+std::string why_not(const ReorderCommand& command, const TriangleMesh& source, const TriangleMesh& target,
+                    const std::string& difference) {
+    const std::string advice =
+        command.options.weld_distance < 0
+            ? welding_advice(source, target, command.source.string(), command.target.string())
+            : std::string();
+    return fmt::format(
+        "the meshes have different connectivity ({}), so the order cannot be restored; "
+        "{}{}--allow-differences "
+        "restores what both have, and 'fit {} {}' lays the mesh of the first on the surface of the second",
+        difference, advice, advice.empty() ? "" : "; ", command.source.string(), command.target.string());
+}
+
+// The source's mesh in the target's shape: what both have is at the target's places, the rest of the source
+// goes with what surrounds it, and the rest of the target is left out.
+void run_with_differences(const ReorderCommand& command, AttributedMesh source, const TriangleMesh& target,
+                          Stopwatch& watch) {
+    const MeshDifferences shared =
+        find_differences(source.mesh, target, {.n_threads = command.common.threads});
+    if (count_matched(shared.target_from_source) < 3) throw InvalidInput(shared.summary);
+    const MatchOutcome outcome = differences_outcome({source.mesh, target, command.common, {}}, shared);
+    watch.lap("differences");
+    Points places = fit_surface(source.mesh, target, surface_map_of(shared.target_from_source, target),
+                                {.n_threads = command.common.threads})
+                        .vertices;
+    for (Index v = 0; v < shared.target_from_source.source_size(); ++v)
+        if (shared.target_from_source[v] != VertexMap::unmatched)
+            places.row(v) = target.vertices.row(shared.target_from_source[v]);
+    watch.lap("fit");
+    source.mesh.vertices = std::move(places);
+    source.normals = {};
+    write_attributed_mesh(source, command.output);
+    watch.lap("write");
+    const std::string reason =
+        shared.is_ambiguous ? "another way to match the meshes fits nearly as well"
+        : shared.source_vertices.empty() && shared.uncertain.empty()
+            ? ""
+            : fmt::format("{} of {} vertices are not in {} and go with those around them, {} are uncertain",
+                          shared.source_vertices.size(), source.mesh.n_vertices(), command.target.string(),
+                          shared.uncertain.size());
+    report(command, source.mesh.n_vertices(), outcome.messages, watch.stages(),
+           {reason.empty() ? "use" : "check", reason}, outcome.details);
 }
 
 void run(const ReorderCommand& command) {
@@ -73,17 +124,9 @@ void run(const ReorderCommand& command) {
     const ExactResult match = match_exact(source, target, command.options);
     watch.lap("match");
     if (!match.identical) {
-        const std::string advice =
-            command.options.weld_distance < 0
-                ? welding_advice(source, target, command.source.string(), command.target.string())
-                : std::string();
-        throw InvalidInput(
-            fmt::format("the meshes have different connectivity ({}), so the order cannot be restored; "
-                        "{}{}'match --method "
-                        "exact' reports where they differ, and 'fit {} {}' lays the mesh of the first on the "
-                        "surface of the second, where parts are missing or new",
-                        match.difference, advice, advice.empty() ? "" : "; ", command.source.string(),
-                        command.target.string()));
+        if (!command.allow_differences)
+            throw InvalidInput(why_not(command, source, target, match.difference));
+        return run_with_differences(command, source_content, target, watch);
     }
     if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);
@@ -120,6 +163,10 @@ void add_reorder(CLI::App& program) {
         ->required();
     reorder->add_flag("--allow-mirror", command->options.allow_mirror,
                       "Also consider orientation-reversing matches");
+    reorder->add_flag(
+        "--allow-differences", command->allow_differences,
+        "Where the meshes differ: vertices that both have take the places of TARGET's, the others "
+        "of SOURCE go with those around them, with the attributes of SOURCE");
     reorder
         ->add_option("--weld", command->options.weld_distance,
                      "First merge vertices up to this far apart, in mesh units; alone: 0. Default: off")

@@ -20,6 +20,7 @@ from ._meshes import MeshLike, core_mesh
 
 Show = Literal["colors", "checker", "lines"]
 Colormap = Literal["viridis", "cividis", "magma"]
+Up = Literal["auto", "x", "y", "z", "-x", "-y", "-z"]
 
 
 class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
@@ -158,7 +159,7 @@ def view(
     truth: Any = None,
     source_name: str = "source",
     target_name: str = "target",
-    up: Literal["x", "y", "z"] = "y",
+    up: Up = "auto",
 ) -> View:
     """A page that shows two meshes and the maps between them: in a notebook, or as a file with `View.save`.
 
@@ -170,7 +171,8 @@ def view(
     truth : array_like of int, optional
         The true map: the page then shows errors.
     source_name, target_name : str
-    up : {"x", "y", "z"}
+    up : {"auto", "x", "y", "z", "-x", "-y", "-z"}
+        What points up on the screen; auto guesses it from the source's shape, as `render` does.
     """
     named = dict(maps) if isinstance(maps, Mapping) else {"map": maps}
     ends = core_mesh(source), core_mesh(target)

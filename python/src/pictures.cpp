@@ -66,13 +66,6 @@ Scene map_scene(const std::vector<PlacedMesh>& placed, const VertexMap& map, con
     throw InvalidInput("a map cannot be shown as '" + show + "': colors, checker or lines");
 }
 
-Eigen::Vector3d axis_from_name(const std::string& name) {
-    if (name == "x") return Eigen::Vector3d::UnitX();
-    if (name == "y") return Eigen::Vector3d::UnitY();
-    if (name == "z") return Eigen::Vector3d::UnitZ();
-    throw InvalidInput("there is no up axis '" + name + "': x, y or z");
-}
-
 nb::bytes bytes_of(const std::string& text) { return nb::bytes(text.data(), text.size()); }
 
 }  // namespace
@@ -152,11 +145,12 @@ void bind_pictures(nb::module_& module) {
                     shown.back().error.assign(errors[i].data(), errors[i].data() + errors[i].size());
             }
             return run([&] {
-                return viewer_page(source, target, shown,
-                                   {.source_name = source_name,
-                                    .target_name = target_name,
-                                    .truth = vector_of(truth),
-                                    .up = axis_from_name(up)});
+                return viewer_page(
+                    source, target, shown,
+                    {.source_name = source_name,
+                     .target_name = target_name,
+                     .truth = vector_of(truth),
+                     .up = find_camera(source, {.direction = "front", .up = up}).row(1).transpose()});
             });
         },
         "source"_a, "target"_a, "names"_a, "maps"_a, "errors"_a, "truth"_a, "source_name"_a, "target_name"_a,

@@ -4,6 +4,7 @@
 #include "align/tuning.hpp"
 #include "base/parallel.hpp"
 #include "mesh/edge_table.hpp"
+#include "mesh/surface_box.hpp"
 #include "numerics/closest_triangle.hpp"
 
 #include <counterpart/align/fit_surface.hpp>
@@ -79,7 +80,7 @@ class SurfaceFit {
           neighbors_(neighbor_triangles(mesh::EdgeTable(model))),
           closest_(scan.vertices, scan.triangles),
           rim_(rim_of(scan)),
-          size_((scan.vertices.colwise().maxCoeff() - scan.vertices.colwise().minCoeff()).norm()),
+          size_(mesh::surface_box(scan).diagonal().norm()),
           hold_(Vector::Ones(model.n_vertices())),
           elastic_(rest_) {
         for (const SurfacePoint& point : map.image) matched_.push_back(point.matched());
@@ -275,6 +276,7 @@ class SurfaceFit {
         result.vertices = now_;
         result.distance = distances(now_, closest_);
         result.scan_distance = distances(scan_.vertices, {now_, rest_.triangles});
+        result.scan_diagonal = size_;
         const auto share = [&](const std::vector<char>& folds) {
             return folds.empty() ? 0.0
                                  : static_cast<double>(std::count(folds.begin(), folds.end(), 1)) /

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "mesh/surface_box.hpp"
 #include "numerics/closest_triangle.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
@@ -161,7 +162,7 @@ class Descent {
         : source_(source),
           options_(options),
           closest_(target.vertices, target.triangles),
-          size_((target.vertices.colwise().maxCoeff() - target.vertices.colwise().minCoeff()).norm()) {
+          size_(mesh::surface_box(target).diagonal().norm()) {
         std::vector<Index> pairs;
         for (Index v = 0; v < known.source_size(); ++v)
             if (known[v].matched()) pairs.push_back(v);

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
-#include <optional>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -18,6 +16,10 @@ namespace counterpart {
 namespace {
 
 using Corners = std::array<Index, 3>;
+
+// What touches a vertex of more triangles than this stays as it is: each change there would look at all of
+// them.
+constexpr std::size_t most_triangles = 100;
 
 // Triangles that lose and exchange corners.
 class ChangingMesh {
@@ -34,13 +36,16 @@ class ChangingMesh {
 
     // Into the nearest neighbor that allows it.
     bool collapse(Index v) {
-        std::vector<Index> to = neighbors(v);
-        if (to.empty() || to.size() != triangles_at(v).size()) return false;  // at a boundary, or torn
+        if (is_crowded(v)) return false;
+        const std::vector<Index> around = neighbors(v);
+        if (around.empty() || around.size() != triangles_at(v).size()) return false;  // a boundary, or torn
+        if (std::any_of(around.begin(), around.end(), [&](Index w) { return is_crowded(w); })) return false;
+        std::vector<Index> to = around;
         std::sort(to.begin(), to.end(), [&](Index a, Index b) {
             return std::pair(squared_distance(v, a), a) < std::pair(squared_distance(v, b), b);
         });
         const auto found =
-            std::find_if(to.begin(), to.end(), [&](Index w) { return may_collapse(v, to, w); });
+            std::find_if(to.begin(), to.end(), [&](Index w) { return may_collapse(v, around, w); });
         if (found == to.end()) return false;
         for (const Index t : std::vector<Index>(triangles_at(v))) {
             if (!has(t, *found)) {
@@ -60,6 +65,7 @@ class ChangingMesh {
         if (corners(t)[0] < 0) return;
         const Index a = corners(t)[corner], b = corners(t)[(corner + 1) % 3],
                     c = corners(t)[(corner + 2) % 3];
+        if (is_crowded(a) || is_crowded(b) || is_crowded(c)) return;
         std::vector<Index> shared;
         for (const Index other : triangles_at(a))
             if (has(other, b)) shared.push_back(other);
@@ -68,7 +74,8 @@ class ChangingMesh {
         const auto place =
             static_cast<std::size_t>(std::find(corners(u).begin(), corners(u).end(), b) - corners(u).begin());
         const Index d = corners(u)[(place + 2) % 3];
-        if (corners(u)[(place + 1) % 3] != a || c == d || are_neighbors(c, d)) return;  // wound otherwise
+        if (corners(u)[(place + 1) % 3] != a || c == d || is_crowded(d) || are_neighbors(c, d))
+            return;  // wound otherwise
         const std::array<Corners, 2> before{{{a, b, c}, {b, a, d}}}, after{{{c, d, b}, {d, c, a}}};
         if (!replaces(after[0], before[0]) || !replaces(after[0], before[1]) ||
             !replaces(after[1], before[0]) || !replaces(after[1], before[1]))
@@ -84,11 +91,9 @@ class ChangingMesh {
     RetriangulateResult result() const {
         std::vector<Index> number(around_.size(), -1);
         RetriangulateResult result;
-        for (std::size_t v = 0; v < around_.size(); ++v) {
-            if (around_[v].empty()) continue;
-            number[v] = static_cast<Index>(result.original_from_mesh.size());
-            result.original_from_mesh.push_back(static_cast<Index>(v));
-        }
+        result.original_from_mesh = used_vertices();
+        for (std::size_t i = 0; i < result.original_from_mesh.size(); ++i)
+            number[static_cast<std::size_t>(result.original_from_mesh[i])] = static_cast<Index>(i);
         result.mesh.vertices = points_(result.original_from_mesh, Eigen::all);
         std::vector<Corners> left;
         for (const Corners& corners : triangles_)
@@ -101,8 +106,15 @@ class ChangingMesh {
         return result;
     }
     Index n_triangles() const { return static_cast<Index>(triangles_.size()); }
+    std::vector<Index> used_vertices() const {
+        std::vector<Index> used;
+        for (std::size_t v = 0; v < around_.size(); ++v)
+            if (!around_[v].empty()) used.push_back(static_cast<Index>(v));
+        return used;
+    }
 
   private:
+    bool is_crowded(Index v) { return triangles_at(v).size() > most_triangles; }
     std::vector<Index>& triangles_at(Index v) { return around_[static_cast<std::size_t>(v)]; }
     Corners& corners(Index t) { return triangles_[static_cast<std::size_t>(t)]; }
     bool has(Index t, Index v) {
@@ -177,12 +189,12 @@ RetriangulateResult retriangulate(MeshView mesh, const RetriangulateOptions& opt
     require_share(options.flip_share, 0, "edges that are flipped");
     Random random(options.seed);
     ChangingMesh changing(mesh);
-    std::vector<Index> order(static_cast<std::size_t>(mesh.n_vertices()));
-    std::iota(order.begin(), order.end(), 0);
+    std::vector<Index> order = changing.used_vertices();
     random.shuffle(order);
-    auto n_left = static_cast<double>(mesh.n_vertices());
+    const double least = options.kept_share * static_cast<double>(order.size());
+    auto n_left = static_cast<double>(order.size());
     for (const Index v : order) {
-        if (n_left <= options.kept_share * mesh.n_vertices()) break;
+        if (n_left - 1 < least) break;
         if (changing.collapse(v)) --n_left;
     }
     for (Index t = 0; t < changing.n_triangles(); ++t)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "mesh/surface_box.hpp"
 #include "numerics/rotation.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -129,7 +130,8 @@ Camera matching_camera(const Camera& source_view, MeshView source, MeshView targ
 
 Placement::Placement(MeshView mesh, const Camera& view) : view_(view) {
     const Points seen = mesh.vertices * view.transpose();
-    const Eigen::RowVector3d low = seen.colwise().minCoeff(), high = seen.colwise().maxCoeff();
+    const Eigen::AlignedBox3d box = mesh::surface_box({seen, mesh.triangles});
+    const Eigen::RowVector3d low = box.min().transpose(), high = box.max().transpose();
     const double area = surface_area(mesh);
     scale_ = area > 0 ? 1 / std::sqrt(area) : 1 / std::max(1e-300, (high - low).maxCoeff());
     offset_ = -0.5 * scale_ * (low + high);

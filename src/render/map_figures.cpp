@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
+#include "mesh/surface_box.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
@@ -34,10 +35,9 @@ void spread(Points& values, const Adjacency& adjacency) {
 
 /// Position in the picture, from -1 to 1 along each side of the mesh's box.
 Points picture_position(const PlacedMesh& placed, MeshView in_picture) {
-    const Eigen::RowVector3d low = in_picture.vertices.colwise().minCoeff(),
-                             high = in_picture.vertices.colwise().maxCoeff();
+    const Eigen::RowVector3d middle = mesh::surface_box(in_picture).center().transpose();
     const Eigen::RowVector3d half = placed.placement.half_size().cwiseMax(1e-12);
-    return (in_picture.vertices.rowwise() - 0.5 * (low + high)).array().rowwise() / half.array();
+    return (in_picture.vertices.rowwise() - middle).array().rowwise() / half.array();
 }
 
 /// A sample without replacement in which a vertex counts by its area, so that densely meshed parts do not get

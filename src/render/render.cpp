@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "mesh/surface_box.hpp"
 #include "render/light.hpp"
 #include "render/tracer.hpp"
 
@@ -179,8 +180,9 @@ Frame fit(const Scene& scene, const RenderOptions& options) {
         box.extend(Eigen::Vector2d(middle - reach)).extend(Eigen::Vector2d(middle + reach));
     };
     for (const Surface& surface : scene.surfaces) {
-        extend(surface.mesh.vertices.colwise().minCoeff(), 0);
-        extend(surface.mesh.vertices.colwise().maxCoeff(), 0);
+        const Eigen::AlignedBox3d bounds = mesh::surface_box(surface.mesh);
+        extend(bounds.min().transpose(), 0);
+        extend(bounds.max().transpose(), 0);
     }
     for (const Dot& dot : scene.dots) extend(dot.center, dot.radius);
     for (const Tube& tube : scene.tubes) {

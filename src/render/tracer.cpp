@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/tracer.hpp"
 
+#include "mesh/surface_box.hpp"
+
 #include <counterpart/mesh/measure.hpp>
 
 #include <limits>
@@ -113,9 +115,7 @@ struct Tracer::Data {
                                         static_cast<std::size_t>(mesh.n_triangles()));
         std::copy_n(mesh.triangles.data(), mesh.triangles.size(), triangles);
         normals.push_back(vertex_normals(mesh).cast<float>());
-        const Eigen::RowVector3d extent =
-            mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff();
-        size = std::max(size, static_cast<float>(extent.maxCoeff()));
+        size = std::max(size, static_cast<float>(counterpart::mesh::surface_box(mesh).sizes().maxCoeff()));
         return geometry;
     }
 

@@ -19,7 +19,35 @@ ends 0 deform body source.obj
 ends 0 deform source.obj part.off --cut 0.3 --holes 2 --retriangulate 0.8 --bend 10 --truth part.txt -q
 [ "$(grep -v '^#' part.txt | wc -l)" -eq "$(grep -c '^v ' source.obj)" ] || fail "a line of the truth for each vertex"
 [ "$(grep -c '^-1$' part.txt)" -ge $(($(grep -c '^v ' source.obj) * 3 / 10)) ] || fail "what was cut off is -1"
-ends 0 deform source.obj seen.off --seen-from front -q
+# The true map names every vertex that is left, at its place, once; bending changes none of it. What a camera sees
+# faces it, and a vertex in no triangle, however far away, is nothing to see.
+ends 0 deform source.obj flat.off --cut 0.3 --holes 2 --retriangulate 0.8 --truth flat.txt -q
+cmp -s part.txt flat.txt || fail "the true map depends on the bending"
+ends 0 deform source.obj seen.off --seen-from front --truth seen.txt -q
+cp source.obj stray.obj
+echo "v 1e5 2e5 -3e5" >> stray.obj
+ends 0 deform stray.obj seen_too.off --seen-from front --truth stray.txt -q
+cmp -s seen.off seen_too.off && cmp -s <(cat seen.txt; echo -1) stray.txt || fail "a vertex in no triangle changes what is seen"
+python3 - << 'END' || fail "not the true map"
+v = [tuple(map(float, l.split()[1:4])) for l in open("source.obj") if l.startswith("v ")]
+def part(name):
+    words = open(name + ".off").read().split()
+    n, m = int(words[1]), int(words[2])
+    return ([tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(n)],
+            [list(map(int, words[5 + 3 * n + 4 * t:8 + 3 * n + 4 * t])) for t in range(m)])
+for name in ("flat", "seen"):
+    w, f = part(name)
+    image = [int(l) for l in open(name + ".txt") if not l.startswith("#")]
+    assert len(image) == len(v) and sorted(i for i in image if i >= 0) == list(range(len(w))), name
+    far = max(max(abs(a - b) for a, b in zip(v[s], w[i])) for s, i in enumerate(image) if i >= 0)
+    assert far < 1e-6, (name, far)
+for a, b, c in ([w[i] for i in t] for t in f):  # of what is seen from the front, where z comes nearer
+    assert (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > -1e-12
+n_front = sum(p[2] > 0.1 for p in v), sum(p[2] > 0.1 for p in w)
+assert n_front[1] > 0.9 * n_front[0] and 0.3 * len(v) < len(w) < 0.7 * len(v), (n_front, len(w))
+kept = sorted(p[1] for p in part("flat")[0])
+assert kept[-1] < sorted(p[1] for p in v)[int(0.7 * len(v)) + 1], "something above the plane was left"
+END
 ends 1 deform source.obj none.off --cut 0.99 --holes 1000 --hole-radius 1
 ends 1 deform source.obj none.off --holes 1000 --hole-radius 1 --seen-from front
 for option in "--cut-from left" "--hole-radius 0.2"; do ends 2 deform source.obj none.off $option; done

@@ -217,5 +217,6 @@ assert read_medit("aligned.mesh")[1] == cells
 END
 refuse 1 "bent.mesh has\|inverted.mesh:[0-9]*: tetrahedron 5 is inverted" match solid.mesh inverted.mesh -o none.txt
 refuse 1 "different connectivity: the source has .* tetrahedra" match solid.mesh half.mesh --method exact -o none.txt
+refuse 1 "allow-differences is for surfaces" reorder solid.mesh half.mesh --allow-differences -o none.mesh
 refuse 1 "is not used where solids" match solid.mesh bent.mesh --weld -o none.txt
 echo passed

@@ -35,6 +35,10 @@ write("mirror.off", mirror, [[a, c, b] for a, b, c in g])
 write("mirror_inside_out.off", mirror, g)
 write("inside_out.off", v, [[a, c, b] for a, b, c in g])
 write("hole.off", v, [t for k, t in enumerate(f) if k != 500])
+# Without what is near one vertex.
+kept = [i for i, p in enumerate(v) if sum((float(a) - float(b)) ** 2 for a, b in zip(p, v[0])) > 0.01]
+number = {i: k for k, i in enumerate(kept)}
+write("bald.off", [v[i] for i in kept], [[number[c] for c in t] for t in f if all(c in number for c in t)])
 random.seed(1)
 tetrahedra, faces = [], []
 for k in range(10000):
@@ -121,6 +125,26 @@ run reorder two.off two_off.off -o back.off
 cmp -s back.off <("$program" convert two.off copy.off -q; cat copy.off) || fail "reorder did not give back the positions"
 run reorder quads.obj quads.obj -o quads_back.obj
 diff quads.obj quads_back.obj > /dev/null || fail "reorder changed a file that is in order already"
+# Of a mesh that lost a part: what both have lies where the target has it, the rest where it would be.
+refuse 1 "different connectivity.*--allow-differences restores what both have" reorder source.off bald.off -o no.off
+run reorder source.off bald.off --allow-differences -o bald_back.off --report report.json
+grep -qE "^check: [0-9]+ of [0-9]+ vertices are not in bald.off and go with those around them" err || { cat err; fail "what is guessed is not said"; }
+python3 - << 'END' || fail "not restored"
+import json, math
+def read(name):
+    words = open(name).read().split()
+    return [tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(int(words[1]))]
+v, back, bald, truth = read("target.off"), read("bald_back.off"), set(read("bald.off")), open("truth.txt").read().split()
+off = [math.dist(back[i], v[int(w)]) for i, w in enumerate(truth)]
+lost = [off[i] for i, w in enumerate(truth) if v[int(w)] not in bald]
+r = json.load(open("report.json"))
+assert r["verdict"] == "check" and r["difference"]["matched_vertices"] == len(v) - len(lost), r["verdict"]
+assert sum(d > 0 for d in off) == sum(d > 0 for d in lost) and 20 < len(lost) < len(v) / 4, (len(lost), len(v))
+assert max(lost) < 0.05, max(lost)
+END
+run reorder source.off hole.off --allow-differences -o hole_back.off
+head -1 err | grep -qx use || { cat err; fail "all of it is there, but for a triangle"; }
+refuse 1 "share no part" reorder source.off torus_a.off --allow-differences -o no.off
 refuse 1 "different connectivity.*'fit source.off torus_a.off' lays the mesh of the first on the surface of the second" \
   reorder source.off torus_a.off -o no.off
 [ ! -e no.off ] || fail "a refused reorder left a file"

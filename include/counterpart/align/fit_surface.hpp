@@ -28,6 +28,9 @@ struct FitResult {
     Points vertices;       ///< of the template, on the scan
     Vector distance;       ///< per template vertex: from there to the scan's surface, mesh units
     Vector scan_distance;  ///< per scan vertex: from there to the fitted surface; large where it lies bare
+    /// Length of the diagonal of the box around the scan's surface, in mesh units; vertices in no triangle
+    /// are no part of it.
+    double scan_diagonal = 0;
     /// Edges whose two triangles face away from each other (normals more than 90 degrees apart), as a share
     /// of the edges with two triangles: in the fit, and in the template itself.
     double folded_edges = 0, own_folded_edges = 0;

@@ -61,8 +61,9 @@ struct RetriangulateResult {
 
 /// Nearly the same surface in other triangles, so that connectivity says nothing of where a vertex came from:
 /// random vertices are collapsed into a neighbor, then random edges flipped. No triangle turns over or gets
-/// much thinner than those that it replaces, the topology stays, boundary and non-manifold vertices stay. So
-/// fewer vertices may go, and fewer edges be flipped, than asked for. Polygons are not kept. O(V log V).
+/// much thinner than those that it replaces, the topology stays, boundary and non-manifold vertices stay, and
+/// so does what touches a vertex of more than 100 triangles. So fewer vertices may go, and fewer edges be
+/// flipped, than asked for. Vertices in no triangle do not count, and go. Polygons are not kept. O(V log V).
 /// Throws InvalidInput for an invalid mesh or options out of range.
 RetriangulateResult retriangulate(MeshView mesh, const RetriangulateOptions& options = {});
 

@@ -6,9 +6,9 @@
 #include "mesh/disjoint_sets.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <map>
 #include <numeric>
-#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -52,12 +52,20 @@ std::pair<Index, Index> shared_edge(MeshView mesh, Index t, Index u) {
     return shared.size() == 2 ? std::pair(shared[0], shared[1]) : std::pair(Index{-1}, Index{-1});
 }
 
+// In increasing order, each once.
+std::vector<Index> corners_of(MeshView mesh, const std::vector<Index>& triangles) {
+    std::vector<Index> corners;
+    corners.reserve(3 * triangles.size());
+    for (const Index t : triangles)
+        for (int c = 0; c < 3; ++c) corners.push_back(mesh.triangles(t, c));
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
 std::string missing(std::string_view from, MeshView mesh, const std::vector<Index>& triangles,
                     const std::vector<Index>& vertices) {
-    std::set<Index> all;
-    for (const Index t : triangles)
-        for (int c = 0; c < 3; ++c) all.insert(mesh.triangles(t, c));
-    if (all.size() == vertices.size())
+    if (corners_of(mesh, triangles).size() == vertices.size())
         return fmt::format("the {} lacks a component of {} faces (with vertex {})", from, triangles.size(),
                            vertices[0]);
     if (triangles.size() == 1) {
@@ -95,6 +103,40 @@ std::string describe(MeshView source, MeshView target, const Edit& edit) {
         n, gone, edit.source_triangles[0], m, added, edit.target_triangles[0]);
 }
 
+// Items that share an edge are in one place.
+mesh::DisjointSets places_of(const std::vector<Item>& items, const CommonNames& names) {
+    struct ItemEdge {
+        Index first, second, item;
+        auto operator<=>(const ItemEdge&) const = default;
+    };
+    std::vector<ItemEdge> edges;
+    edges.reserve(3 * items.size());
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const auto [a, b] =
+                std::minmax({names.corner(items[i].in_target, items[i].triangle, c),
+                             names.corner(items[i].in_target, items[i].triangle, (c + 1) % 3)});
+            edges.push_back({a, b, static_cast<Index>(i)});
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    mesh::DisjointSets places(static_cast<Index>(items.size()));
+    for (std::size_t e = 1; e < edges.size(); ++e)
+        if (edges[e].first == edges[e - 1].first && edges[e].second == edges[e - 1].second)
+            places.join(edges[e].item, edges[e - 1].item);
+    return places;
+}
+
+// Those corners of the triangles that are among the unmatched vertices, both in increasing order.
+std::vector<Index> unmatched_corners(MeshView mesh, const std::vector<Index>& triangles,
+                                     const std::vector<Index>& unmatched) {
+    const std::vector<Index> corners = corners_of(mesh, triangles);
+    std::vector<Index> found;
+    for (const Index v : corners)
+        if (std::binary_search(unmatched.begin(), unmatched.end(), v)) found.push_back(v);
+    return found;
+}
+
 }  // namespace
 
 std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDifferences& differences) {
@@ -102,34 +144,16 @@ std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDiffere
     std::vector<Item> items;
     for (const Index t : differences.source_triangles) items.push_back({false, t});
     for (const Index t : differences.target_triangles) items.push_back({true, t});
-    mesh::DisjointSets places(static_cast<Index>(items.size()));
-    std::map<std::pair<Index, Index>, Index> at_edge;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        for (int c = 0; c < 3; ++c) {
-            const Index a = names.corner(items[i].in_target, items[i].triangle, c),
-                        b = names.corner(items[i].in_target, items[i].triangle, (c + 1) % 3);
-            const auto [other, is_new] = at_edge.try_emplace(std::minmax(a, b), static_cast<Index>(i));
-            if (!is_new) places.join(static_cast<Index>(i), other->second);
-        }
-    }
+    mesh::DisjointSets places = places_of(items, names);
     std::map<Index, Edit> by_root;
     for (std::size_t i = 0; i < items.size(); ++i) {
         Edit& edit = by_root[places.root(static_cast<Index>(i))];
         (items[i].in_target ? edit.target_triangles : edit.source_triangles).push_back(items[i].triangle);
     }
-    const auto collect = [](MeshView mesh, const std::vector<Index>& triangles,
-                            const std::vector<Index>& unmatched) {
-        std::set<Index> found;
-        for (const Index t : triangles)
-            for (int c = 0; c < 3; ++c)
-                if (std::binary_search(unmatched.begin(), unmatched.end(), mesh.triangles(t, c)))
-                    found.insert(mesh.triangles(t, c));
-        return std::vector<Index>(found.begin(), found.end());
-    };
     std::vector<Edit> edits;
     for (auto& [root, edit] : by_root) {
-        edit.source_vertices = collect(source, edit.source_triangles, differences.source_vertices);
-        edit.target_vertices = collect(target, edit.target_triangles, differences.target_vertices);
+        edit.source_vertices = unmatched_corners(source, edit.source_triangles, differences.source_vertices);
+        edit.target_vertices = unmatched_corners(target, edit.target_triangles, differences.target_vertices);
         edit.sentence = describe(source, target, edit);
         edits.push_back(std::move(edit));
     }

@@ -112,5 +112,17 @@ TEST(FitSurface, LandmarksMeetAndThreadsDoNotMatter) {
     EXPECT_EQ(fit.vertices, fit_surface(mesh, scan, map, two).vertices);
 }
 
+TEST(FitSurface, VerticesOfTheScanInNoTriangleAreNoSurface) {
+    const TriangleMesh mesh = make_body({.subdivisions = 0}), scan = bent(mesh);
+    TriangleMesh with_stray = scan;
+    with_stray.vertices.conservativeResize(scan.n_vertices() + 1, 3);
+    with_stray.vertices.bottomRows(1).setConstant(1000);
+    const VertexMap map = identity_map(mesh.n_vertices());
+    const FitResult expected = fit_surface(mesh, scan, surface_map_of(map, scan)),
+                    fit = fit_surface(mesh, with_stray, surface_map_of(map, scan));
+    EXPECT_NEAR(fit.scan_diagonal, diagonal(scan), 1e-12);
+    EXPECT_EQ(fit.vertices, expected.vertices);
+}
+
 }  // namespace
 }  // namespace counterpart

@@ -92,5 +92,16 @@ TEST(Placement, HasUnitAreaAroundTheOrigin) {
     EXPECT_LT((seen.vertices.colwise().maxCoeff() + seen.vertices.colwise().minCoeff()).norm(), 1e-9);
 }
 
+TEST(Placement, LeavesOutVerticesInNoTriangle) {
+    const TriangleMesh mesh = ellipsoid(1, 2, 3);
+    TriangleMesh with_stray = mesh;
+    with_stray.vertices.conservativeResize(mesh.n_vertices() + 1, 3);
+    with_stray.vertices.bottomRows(1).setConstant(1000);
+    const Camera view = find_camera(mesh);
+    EXPECT_EQ(find_camera(with_stray), view);
+    EXPECT_EQ(Placement(with_stray, view)(with_stray).vertices.topRows(mesh.n_vertices()),
+              Placement(mesh, view)(mesh).vertices);
+}
+
 }  // namespace
 }  // namespace counterpart::render
