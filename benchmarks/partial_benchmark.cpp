@@ -11,13 +11,14 @@
 // in the truth says nothing), none (it says that there is no partner), or inner (so where all neighbors have
 // none either: where the whole's vertices outnumber the part's, several share one), only=SUBSTRING of the
 // pair, swap=1 (match target to source), kept=SHARE (the source's triangles are made anew, with this share of
-// its vertices). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 / sqrt(target area);
-// the last line on stdout is the summary.
+// its vertices), by=connectivity (find_differences in place of match_partial). One JSON line per pair goes to
+// RESULTS. Errors are geodesic, times 100 / sqrt(target area); the last line on stdout is the summary.
 #include "base/random.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/match/differences.hpp>
 #include <counterpart/match/partial.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
@@ -88,6 +89,13 @@ std::vector<char> beside_partners(const TriangleMesh& mesh, const VertexMap& tru
     return found;
 }
 
+PartialResult by_connectivity(const TriangleMesh& source, const TriangleMesh& target, int n_threads) {
+    PartialResult result;
+    result.target_from_source = find_differences(source, target, {.n_threads = n_threads}).target_from_source;
+    result.confidence = Vector::Ones(source.n_vertices());
+    return result;
+}
+
 Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
              const Settings& settings, int n_threads) {
     const auto setting = [&](const std::string& key, const std::string& otherwise) {
@@ -113,7 +121,9 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
     PartialOptions options{.part = part_named(setting("part", "unknown")), .n_threads = n_threads};
     options.same_scale = setting("scale", "same") == "same";
     Stopwatch watch;
-    const PartialResult result = match_partial(source, target, options);
+    const PartialResult result = setting("by", "geometry") == "connectivity"
+                                     ? by_connectivity(source, target, n_threads)
+                                     : match_partial(source, target, options);
     watch.lap("match");
 
     const bool none_is_known = setting("unpaired", "none") != "unknown";

@@ -12,15 +12,11 @@ namespace counterpart::common_part {
 
 using namespace isomorphism;
 
-namespace {
-
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
     return *middle;
 }
-
-}  // namespace
 
 PairSide::PairSide(MeshView mesh_of_side, const DartMap& map_of_side)
     : mesh(mesh_of_side), map(map_of_side), colors{vertex_colors(map, 0)} {

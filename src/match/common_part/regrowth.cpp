@@ -68,18 +68,31 @@ class Regrowth {
         std::vector<Proposal> proposals;
         for (const Index v : layer) propose(v, limit, proposals);
         std::sort(proposals.begin(), proposals.end());
-        std::vector<Index> next;
+        std::vector<Index> next, found;
         for (const Proposal& best : proposals) {
             if (map_[best.source] >= 0 || taken_[to_size(best.target)]) continue;
             map_[to_size(best.source)] = best.target;
             taken_[to_size(best.target)] = true;
             depth_[to_size(best.source)] = best.depth;
+            found.push_back(best.source);
             for (const Index v : prediction_.source_neighbors().neighbors(best.source)) next.push_back(v);
         }
+        settle(found);
         std::sort(next.begin(), next.end());
         next.erase(std::unique(next.begin(), next.end()), next.end());
         std::erase_if(next, [&](Index v) { return map_[v] >= 0; });
         return next;
+    }
+
+    // More is known of the new pairs and those around them than when they were proposed.
+    void settle(std::vector<Index> vertices) {
+        const std::size_t n = vertices.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (const Index v : prediction_.source_neighbors().neighbors(vertices[i]))
+                if (map_[v] >= 0) vertices.push_back(v);
+        for (const Index v : vertices)
+            if (depth_[to_size(v)] > 0 && evidence(v, map_[v]) >= tuning.settled_evidence)
+                depth_[to_size(v)] = 0;
     }
 
     // All that are near enough, so that who loses the closest to another gets the next.

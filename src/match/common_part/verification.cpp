@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/common_part/verification.hpp"
 
+#include "match/common_part/growth.hpp"
 #include "match/common_part/triangle_pairs.hpp"
 #include "match/common_part/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
@@ -57,8 +58,9 @@ class Verifier {
         }
     }
 
-    /// Unmatches the region's vertices if those matched around it expect them elsewhere, or if there are none
-    /// and the region says too little for itself.
+    /// Unmatches the region's vertices unless the region says enough for itself, or those matched around it
+    /// expect them where they are. A limb that is bent, or a few borderline vertices that expect wrongly, are
+    /// no reason to doubt a region that chance would not explain.
     void judge(const Region& region) {
         const std::vector<Index> all = vertices(region);
         std::vector<Index> own, border;
@@ -72,11 +74,9 @@ class Verifier {
         for (const std::size_t i : symmetry::evenly_spread(border.size(), tuning.region_sample))
             if (const auto offset = prediction_.offset(border[i], map_[border[i]], kept_))
                 offsets.push_back(*offset);
-        const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-        std::nth_element(offsets.begin(), middle, offsets.end());
-        const double bits = information_in(all);
-        const bool belongs =
-            offsets.empty() ? is_significant(bits, region.size()) : *middle <= tuning.max_region_offset;
+        const double bits = information_in(all) * (1 + length_agreement(region));
+        const bool belongs = is_significant(bits, region.size()) ||
+                             (!offsets.empty() && median(offsets) <= tuning.max_region_offset);
         if (!belongs) return;
         bits_kept_ += bits;
         triangles_kept_ += region.size();
@@ -118,6 +118,22 @@ class Verifier {
         for (const Index v : of_region)
             if (is_whole(v)) bits += bits_[to_size(map_[v])];
         return bits;
+    }
+    // From 0 to 1: how well edges keep their lengths, but for a common factor. It only adds to what valences
+    // say, since a regular mesh repeats its lengths too.
+    double length_agreement(const Region& region) const {
+        std::vector<double> ratios;
+        for (const Index t : region)
+            for (int c = 0; c < 3; ++c) {
+                const Index v = source_.triangles(t, c), w = source_.triangles(t, (c + 1) % 3);
+                const double before = (source_.vertices.row(v) - source_.vertices.row(w)).norm(),
+                             after = (target_.vertices.row(map_[v]) - target_.vertices.row(map_[w])).norm();
+                if (before > 0 && after > 0) ratios.push_back(std::log(after / before));
+            }
+        if (ratios.empty()) return 0;
+        const double common = median(ratios);
+        for (double& ratio : ratios) ratio = std::abs(ratio - common);
+        return std::exp(-std::pow(median(ratios) / tuning.length_tolerance, 2));
     }
     bool is_significant(double bits, std::size_t n_triangles) const {
         const double n_a = source_.n_triangles(), n_b = target_.n_triangles();

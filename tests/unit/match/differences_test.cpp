@@ -7,6 +7,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
 
@@ -55,6 +56,26 @@ TEST(FindDifferences, FindsMissingFaces) {
     const test::EditedMesh edited = test::with_missing_triangles(mesh, 0.05, 5);
     const test::DisguisedMesh target = test::shuffled(edited.mesh, 6);
     test::expect_found(edited, 0.999, find_differences(mesh, target.mesh), target.mesh_from_original);
+}
+
+// The upper half is turned about a neck that the target lacks: the lower half expects it elsewhere.
+TEST(FindDifferences, BelievesALargeRegionThatItsNeighborsExpectElsewhere) {
+    const TriangleMesh mesh = lopsided();
+    const auto height = [&](Index t, int c) { return mesh.vertices(mesh.triangles(t, c), 2); };
+    std::vector<char> kept;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        kept.push_back(height(t, 0) * height(t, 1) > 0 && height(t, 1) * height(t, 2) > 0 ? 1 : 0);
+    PartOfMesh part = part_of(mesh, kept);
+    for (Index v = 0; v < part.mesh.n_vertices(); ++v) {
+        auto place = part.mesh.vertices.row(v);
+        if (place[2] > 0) place = Eigen::RowVector3d(place[1], -place[0], place[2] + 0.2);
+    }
+    const test::DisguisedMesh target = test::shuffled(part.mesh, 8);
+    const VertexMap found = find_differences(mesh, target.mesh).target_from_source;
+    Index right = 0;
+    for (Index v = 0; v < part.mesh.n_vertices(); ++v)
+        right += found[part.whole_from_part[static_cast<std::size_t>(v)]] == target.mesh_from_original[v];
+    EXPECT_GT(right, part.mesh.n_vertices() * 95 / 100);
 }
 
 TEST(FindDifferences, NamesAMissingComponent) {
