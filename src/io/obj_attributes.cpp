@@ -84,7 +84,7 @@ ObjAttributes scan(std::string_view bytes, const std::string& name) {
         } else if (key_word == "vn") {
             for (const char* axis : {"x", "y", "z"}) found.normals.push_back(text.coordinate(axis));
         } else if (key_word == "usemtl") {
-            part = part_of(std::string(text.word()));
+            part = part_of(std::string(text.rest()));
         } else if (key_word == "f") {
             if (part < 0) part = part_of("");
             read_face(text, part, found);
@@ -133,6 +133,17 @@ void append_vertices(std::string& text, const AttributedMesh& content) {
     }
 }
 
+// The name as it can stand in a line: glTF allows any characters.
+void append_material(std::string& text, std::string name) {
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool is_comment = name[i] == '#' && i > 0 && name[i - 1] == ' ';
+        if (static_cast<unsigned char>(name[i]) < ' ' || is_comment) name[i] = '_';
+    }
+    text += "usemtl " + name;
+    if (name.back() == '\\') text += ' ';  // or the next line would continue this one
+    text += '\n';
+}
+
 }  // namespace
 
 AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string& name) {
@@ -176,7 +187,7 @@ std::string obj_bytes(const AttributedMesh& content) {
                               : -1;
         if (next != part && next >= 0 && static_cast<std::size_t>(next) < content.part_names.size() &&
             !content.part_names[static_cast<std::size_t>(next)].empty())
-            text += "usemtl " + content.part_names[static_cast<std::size_t>(next)] + '\n';
+            append_material(text, content.part_names[static_cast<std::size_t>(next)]);
         part = next;
         text += 'f';
         for (const Index corner : corners) {

@@ -84,6 +84,17 @@ std::string_view TextCursor::word() {
     return {begin, static_cast<std::size_t>(at_ - begin)};
 }
 
+std::string_view TextCursor::rest() {
+    skip_blanks();
+    const char* const begin = at_;
+    while (at_ < end_ && !ends_line(*at_) && !continues_line(at_, end_) &&
+           !(*at_ == '#' && at_ > begin && is_blank(at_[-1])))
+        ++at_;
+    const char* last = at_;
+    while (last > begin && is_blank(last[-1])) --last;
+    return {begin, static_cast<std::size_t>(last - begin)};
+}
+
 double TextCursor::number(std::string_view what) {
     if (at_line_end()) fail_at_word("a number", what);
     double value = 0;

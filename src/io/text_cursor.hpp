@@ -27,6 +27,9 @@ class TextCursor {
 
     /// The next word of the line; empty at the line's end.
     std::string_view word();
+    /// All that follows on the line, blanks inside included, as names have them: a comment must have a blank
+    /// before it.
+    std::string_view rest();
     /// Gives the last `count` characters of the word just read back.
     void put_back(std::size_t count) { at_ -= count; }
     /// The next character, 0 at the end of the file.

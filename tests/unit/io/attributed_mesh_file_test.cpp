@@ -165,5 +165,23 @@ TEST(AttributedMeshFile, WhatContinuesALineOfAnObjBelongsToIt) {
     EXPECT_EQ(content.part_names, std::vector<std::string>{"a"});
 }
 
+TEST(AttributedMeshFile, NamesOfMaterialsComeBackFromAnObj) {
+    AttributedMesh content;
+    content.mesh = make_icosphere(0);
+    content.part_names = {"C:\\skin\\", "\\", "skin of a hand", "skin of a foot", "#c8c8c8"};
+    for (int t = 0; t < 20; ++t) content.parts.push_back(t / 4);
+    const AttributedMesh again = written_as(content, "named.obj");
+    EXPECT_EQ(again.mesh.triangles, content.mesh.triangles);
+    EXPECT_EQ(again.part_names, content.part_names);
+    EXPECT_EQ(again.parts, content.parts);
+    // What would be a line of its own, or a comment.
+    content.part_names = {"a\nf 1 2 3", "b\r", "c #d", "e", "f"};
+    EXPECT_EQ(written_as(content, "named.obj").part_names,
+              (std::vector<std::string>{"a_f 1 2 3", "b_", "c _d", "e", "f"}));
+    EXPECT_EQ(
+        read_attributed("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl  skin # soft\nf 1 2 3\n", "a.obj").part_names,
+        std::vector<std::string>{"skin"});
+}
+
 }  // namespace
 }  // namespace counterpart::io
