@@ -33,7 +33,7 @@ struct DeformCommand {
     double cut_share = 0;
     std::string cut_from = "top", seen_from;
     int holes = 0;
-    double hole_radius = 0.1, kept_vertices = 0;
+    double hole_radius = 0.1, kept_vertices = 0, glue = 0;
 };
 
 // The mesh, and where the vertices of the input went.
@@ -100,11 +100,12 @@ void take_apart(const DeformCommand& command, Derived& derived) {
 }
 
 void run(const DeformCommand& command) {
-    const bool takes_apart =
-        command.cut_share > 0 || command.holes > 0 || !command.seen_from.empty() || command.kept_vertices > 0;
+    const bool takes_apart = command.cut_share > 0 || command.holes > 0 || !command.seen_from.empty() ||
+                             command.kept_vertices > 0 || command.glue > 0;
     if (!command.truth.empty() && command.shuffle_seed == 0 && !takes_apart)
         throw InvalidInput(
-            "--truth needs --shuffle, --cut, --holes, --seen-from or --retriangulate: without them the true "
+            "--truth needs --shuffle, --cut, --holes, --seen-from, --retriangulate or --glue: without them "
+            "the true "
             "map is the identity");
     Derived derived(command.input == "body" ? make_body(command.body)
                                             : load_mesh(command.input, command.common));
@@ -114,6 +115,11 @@ void run(const DeformCommand& command) {
     take_apart(command, derived);
     TriangleMesh& mesh = derived.mesh;
     mesh = deform(mesh, options);
+    if (command.glue > 0) {
+        FusedMesh fused = fuse(mesh, command.glue * std::sqrt(surface_area(mesh)));
+        mesh = std::move(fused.mesh);
+        derived.renumber(fused.fused_from_original);
+    }
     if (command.move) mesh = move_at_random(mesh, options.seed);
     if (command.shuffle_seed != 0) {
         ShuffleResult shuffled = shuffle(mesh, command.shuffle_seed);
@@ -140,6 +146,7 @@ void run(const DeformCommand& command) {
                   {"hole_radius", command.hole_radius},
                   {"seen_from", command.seen_from},
                   {"kept_vertices", command.kept_vertices},
+                  {"glue", command.glue},
                   {"moved", command.move},
                   {"shuffle_seed", command.shuffle_seed}},
                  command.common);
@@ -180,7 +187,7 @@ void add_deform(CLI::App& program) {
                      "Subdivisions of the built-in figure; each quadruples its vertices; 0 to 7")
         ->check(whole_number(0, 7))
         ->capture_default_str();
-    const std::string parts = "As a scanner delivers it (before it is deformed)";
+    const std::string parts = "As a scanner delivers it (all but --glue before it is deformed)";
     deform
         ->add_option("--cut", command->cut_share,
                      "Cut off at most this share of the vertices by a plane; 0 to 0.99")
@@ -211,6 +218,13 @@ void add_deform(CLI::App& program) {
         ->add_option("--retriangulate", command->kept_vertices,
                      "Other triangles, with this share of the vertices; 0.05 to 1")
         ->check(number(0.05, 1.0))
+        ->group(parts);
+    deform
+        ->add_option(
+            "--glue", command->glue,
+            "Last of all, fuse surfaces that come nearer to each other than this, with new triangles "
+            "of this size, in units of the square root of the area; the mesh must be closed; 0 to 0.2")
+        ->check(number(0.0, 0.2))
         ->group(parts);
     deform->add_flag("--move", command->move,
                      "Apply a random rotation, translation, and scale from 0.5 to 2");

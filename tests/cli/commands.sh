@@ -48,6 +48,9 @@ assert n_front[1] > 0.9 * n_front[0] and 0.3 * len(v) < len(w) < 0.7 * len(v), (
 kept = sorted(p[1] for p in part("flat")[0])
 assert kept[-1] < sorted(p[1] for p in v)[int(0.7 * len(v)) + 1], "something above the plane was left"
 END
+ends 0 deform body fused.off --glue 0.04 --bend 300 --truth fused.txt -q
+[ "$(grep -vc '^#' fused.txt)" -eq "$(grep -c '^v ' source.obj)" ] || fail "a line of the truth for each vertex of the figure"
+ends 1 deform part.off none.off --glue 0.04
 ends 1 deform source.obj none.off --cut 0.99 --holes 1000 --hole-radius 1
 ends 1 deform source.obj none.off --holes 1000 --hole-radius 1 --seen-from front
 for option in "--cut-from left" "--hole-radius 0.2"; do ends 2 deform source.obj none.off $option; done

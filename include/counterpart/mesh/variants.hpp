@@ -67,6 +67,19 @@ struct RetriangulateResult {
 /// Throws InvalidInput for an invalid mesh or options out of range.
 RetriangulateResult retriangulate(MeshView mesh, const RetriangulateOptions& options = {});
 
+struct FusedMesh {
+    TriangleMesh mesh;
+    std::vector<Index> fused_from_original;  ///< the true map; -1 where surfaces touch and vanished inside
+};
+
+/// What a scanner makes of limbs that touch: one surface around all that is inside, in other triangles.
+/// Cubes of edge length `cell` (mesh units) are filled where their center is inside; gaps of a cell or
+/// narrower are closed. Their faces, smoothed and drawn to the surface, are the mesh: manifold and closed,
+/// with edges of about one cell. Parts thinner than a cell may be lost or come off. O(F log F + cells).
+/// Throws InvalidInput for an invalid mesh, a cell that is not positive, or more than 2^27 cells, and
+/// UnsuitableMesh for a mesh that is not closed or has no cell inside.
+FusedMesh fuse(MeshView mesh, double cell);
+
 struct PartOfMesh {
     TriangleMesh mesh;
     std::vector<Index> whole_from_part;  ///< the true map
