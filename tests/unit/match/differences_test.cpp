@@ -60,7 +60,7 @@ TEST(FindDifferences, FindsMissingFaces) {
 
 // The upper half is turned about a neck that the target lacks: the lower half expects it elsewhere.
 TEST(FindDifferences, BelievesALargeRegionThatItsNeighborsExpectElsewhere) {
-    const TriangleMesh mesh = lopsided();
+    const TriangleMesh mesh = lopsided_sphere();
     const auto height = [&](Index t, int c) { return mesh.vertices(mesh.triangles(t, c), 2); };
     std::vector<char> kept;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
