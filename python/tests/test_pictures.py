@@ -43,8 +43,10 @@ def test_view(pair, tmp_path):
     page.save(tmp_path / "page.html")
     assert (tmp_path / "page.html").read_text() == page.html
     turned = source.vertices[:, [2, 0, 1]]  # it stands along z
-    pages = {up: counterpart.view(counterpart.Mesh(turned, source.triangles), target, truth, up=up).html
-             for up in ("auto", "y", "z", "-z")}
+    pages = {
+        up: counterpart.view(counterpart.Mesh(turned, source.triangles), target, truth, up=up).html
+        for up in ("auto", "y", "z", "-z")
+    }
     assert pages["auto"] == pages["z"] and len({pages["y"], pages["z"], pages["-z"]}) == 3
     with pytest.raises(counterpart.InvalidInput, match="up axis"):
         counterpart.view(source, target, truth, up="w")

@@ -3,7 +3,7 @@
 // Opens pages that `counterpart view` wrote and uses them as a person would.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, statSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { launch, open } from "./browser.js";
@@ -122,6 +122,60 @@ test("several maps: the list switches, and errors and unmatched vertices are tol
   await page.fill("#vertex", "3");
   assert.deepEqual(await highlighted(page), { source: [3], target: [] });
   assert.match(await answer(page), /target vertex none/);
+  await context.close();
+});
+
+test("the page tells of a map what `evaluate` tells of it", async () => {
+  const { page, context } = await open(browser, file);
+  await page.selectOption("#map", "1");
+  const path = (name) => join(pair.folder, name);
+  const said = execFileSync(program, ["evaluate", path("source.obj"), path("target.obj"), path("worse.txt"), "--truth", path("truth.txt")], { encoding: "utf8" });
+  const stats = await page.locator("#stats").innerText();
+  const share = (100 * Number(/(\d+) \([0-9.]+ %\) exactly right/.exec(said)[1])) / pair.count;
+  assert.ok(stats.includes(`${share.toFixed(2)} % exact`), `${stats} against ${said}`);
+  const mean = Number(/error +mean ([0-9.]+)/.exec(said)[1]);
+  assert.ok(Math.abs(Number(/mean error ([0-9.]+)/.exec(stats)[1]) - mean) < 0.01, `${stats} against ${said}`);
+  await context.close();
+});
+
+test("the error scale can be set", async () => {
+  const { page, context } = await open(browser, file);
+  await page.selectOption("#map", "1");
+  await page.locator("#modes input[value=error]").check();
+  const drawn = async () => {
+    await page.waitForTimeout(50);
+    return (await page.locator("#meshes").screenshot()).toString("base64");
+  };
+  const automatic = await drawn();
+  await page.fill("#scale", "2");
+  const set = await drawn();
+  assert.notEqual(set, automatic);
+  assert.match(await page.locator("#legend").innerText(), /\b2\b/);
+  await page.fill("#scale", "");
+  assert.equal(await drawn(), automatic);
+  await context.close();
+});
+
+test("the number follows the mouse also while it has the focus", async () => {
+  const { page, context } = await open(browser, file);
+  await page.focus("#vertex");
+  await page.fill("#vertex", "17");
+  const { vertex } = await hoverVisible(page, "source", (v) => v !== 17);
+  assert.equal(await page.inputValue("#vertex"), String(vertex));
+  await context.close();
+});
+
+test("frontiers begin on the largest component", async () => {
+  const tooth = ["v 9 0 0", "v 9 1 0", "v 9 0 1", "v 9.5 0 0", "f 1 3 2", "f 1 2 4", "f 2 3 4", "f 1 4 3"];
+  const behind = (line) => (line[0] === "f" ? `f ${line.slice(2).split(" ").map((v) => Number(v) + 4).join(" ")}` : line);
+  const body = readFileSync(join(pair.folder, "source.obj"), "utf8").trim().split("\n").map(behind);
+  const [source, page_file] = ["toothed.obj", "toothed.html"].map((name) => join(pair.folder, name));
+  writeFileSync(source, [...tooth, ...body].join("\n") + "\n");
+  execFileSync(program, ["view", source, source, "-q", "-o", page_file]);
+  const { page, context } = await open(browser, page_file);
+  await page.locator("#modes input[value=frontiers]").check();
+  const base = Number(/from vertex (\d+)/.exec(await page.locator("#legend").innerText())[1]);
+  assert.ok(base >= 4, `vertex ${base} is on the small one`);
   await context.close();
 });
 

@@ -114,6 +114,30 @@ TEST(TransferAttributes, TheSkinBringsItsDocument) {
     EXPECT_EQ(without.source_parts, source.parts);
 }
 
+// A skeleton stays where the source is. Little moves on average where one limb bends, which is as bad.
+TEST(TransferAttributes, WarnsWhereTheTargetIsInAnotherPose) {
+    AttributedMesh source = dressed_body();
+    source.document = std::make_shared<io::GltfContent>(io::GltfDocument{});
+    const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
+    const double size =
+        (source.mesh.vertices.colwise().maxCoeff() - source.mesh.vertices.colwise().minCoeff()).norm();
+    const auto raised = [&](double height) {
+        AttributedMesh target = source;
+        for (Index v = 0; v < target.mesh.n_vertices(); ++v)
+            if (target.mesh.vertices(v, 0) > 0.35) target.mesh.vertices(v, 1) += height * size;
+        return target;
+    };
+    const AttributedMesh bent = raised(0.15);
+    const double mean = (bent.mesh.vertices - source.mesh.vertices).rowwise().norm().mean() / size;
+    EXPECT_GT(mean, 0.0075);
+    EXPECT_LT(mean, 0.04);
+    const TransferResult result = transfer_through_inverse(source, bent, map);
+    ASSERT_EQ(result.warnings.size(), 1);
+    EXPECT_NE(result.warnings[0].find("15 % or more for a twentieth of its vertices"), std::string::npos)
+        << result.warnings[0];
+    EXPECT_TRUE(transfer_through_inverse(source, raised(0.05), map).warnings.empty());
+}
+
 TEST(TransferAttributes, ErrorsNameTheAttribute) {
     AttributedMesh source = dressed_body();
     source.texture_coordinates[1].values(3, 0) = std::numeric_limits<double>::infinity();
