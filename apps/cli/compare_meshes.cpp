@@ -68,6 +68,10 @@ void compare_connectivity(const TriangleMesh& first, const TriangleMesh& second,
         result.details["same_connectivity"] = exact.identical;
         if (!exact.identical) {
             result.sentences.push_back("connectivity differs: " + exact.difference);
+            result.details["mirrored"] = nullptr;
+            result.sentences.emplace_back(
+                "whether one is a mirror image of the other does not show where connectivity differs; 'match "
+                "--symmetric' matches them as mirror images");
             return;
         }
         result.sentences.emplace_back(

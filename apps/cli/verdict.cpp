@@ -56,7 +56,8 @@ Verdict verdict_on(const MatchOutcome& outcome, const TriangleMesh& source) {
         if (why.empty() && is_about_map(sentence)) why = sentence;
     const Vector& confidence = outcome.confidence;
     if (confidence.size() == 0 || confidence.maxCoeff() == 0)
-        return {"check", why.empty() ? "nothing but position speaks for this map" : why};
+        return {"check",
+                why.empty() ? "this method does not tell how far to trust its map, so look at it" : why};
 
     std::vector<char> marked;
     for (Eigen::Index v = 0; v < confidence.size(); ++v)

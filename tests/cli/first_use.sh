@@ -134,6 +134,7 @@ says "warning: film also holds 2 frames that this run did not write, from frame_
 # ---- parts: in words, with the way that is for them ----
 awk '$1 == "f" && ++n <= 60 {next} {print}' fine.obj > open.obj
 run inspect fine.obj open.obj
+grep -q "whether one is a mirror image of the other does not show" out || { cat out; fail "inspect is silent about mirror images"; }
 grep -q "(1 boundary loop).*match --method partial' is for" out || { cat out; fail "holes, but no word of the method for them"; }
 run match open.obj fine.obj --method partial --part source -o x.txt
 says "the source is taken for a part of the target; .* of the source's area"
