@@ -28,8 +28,7 @@ Place place_of(const Placed& from, Eigen::Index v, const Placed& to, Eigen::Inde
     const bool at_edge = to.on_boundary[static_cast<std::size_t>(image)] != 0;
     if (gap > tuning.max_gap || from.normals.row(v).dot(to.normals.row(image)) < tuning.min_cosine)
         return at_edge ? Place::beyond : Place::misfit;
-    return !at_edge || gap <= std::max(tuning.beyond_edges * to.edge, tuning.beyond) ? Place::partner
-                                                                                     : Place::beyond;
+    return !at_edge || gap <= tuning.beyond_edges * to.edge ? Place::partner : Place::beyond;
 }
 
 double misfit(const std::vector<Place>& places, const TriangleMesh& mesh) {
