@@ -20,6 +20,7 @@ struct ElasticFit::System {
     SparseMatrix stiffness;
     Vector mass;
     align::ScaleBounds bounds;
+    double settled;
     Eigen::SimplicialLDLT<SparseMatrix> factor;
     std::vector<align::LocalSimilarity> similarities;  // of the last positions: those of the next are near
     Eigen::MatrixXd pulled;                            // the pull's part of the right side
@@ -34,6 +35,7 @@ ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const 
     system_->stiffness = laplacian.stiffness;
     system_->mass = laplacian.mass;
     system_->bounds = {tuning.min_scale, tuning.max_scale};
+    system_->settled = tuning.settled;
     for (Eigen::Index v = 0; v < rest.rows(); ++v) system_->stiffness.coeffRef(v, v) += 0;  // in the pattern
     system_->factor.analyzePattern(system_->stiffness);
 }
@@ -63,7 +65,11 @@ Points ElasticFit::operator()(PointsView towards, PointsView start, double stiff
         progress.check();
         system_->similarities = align::local_similarities(system_->stiffness, system_->rest, now,
                                                           system_->bounds, std::move(system_->similarities));
-        now = system_->solved();
+        Points next = system_->solved();
+        const double step =
+            std::sqrt(system_->mass.dot((next - now).rowwise().squaredNorm()) / system_->mass.sum());
+        now = std::move(next);
+        if (step < system_->settled) break;
     }
     return now;
 }

@@ -16,15 +16,15 @@ namespace counterpart::spectral_match {
 /// Alexa 2007, with soft positions and a scale for each neighborhood).
 class ElasticFit {
   public:
-    /// Of `tuning` the bounds of a neighborhood's scale.
+    /// Of `tuning` the bounds of a neighborhood's scale, and when a fit has settled.
     ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const RefinementTuning& tuning = {});
     ~ElasticFit();
 
     /// Lowers sum w_ij |(x_i - x_j) - s_i R_i (rest_i - rest_j)|^2 + mu sum m_i |x_i - towards_i|^2 in turns
     /// over similarities and positions, from x = `start`. Positions are followed on features longer than
-    /// `stiffness_length` = mu^-1/2, in mesh units; neighborhoods stay similar below it. `trust`, if not
-    /// empty, multiplies the pull on each vertex. Rotations are followed from those of the last call, which
-    /// saves time where its positions were near.
+    /// `stiffness_length` = mu^-1/2, in mesh units; neighborhoods stay similar below it. Ends when it has
+    /// settled, or after `n_iterations`. `trust`, if not empty, multiplies the pull on each vertex. Rotations
+    /// are followed from those of the last call, which saves time where its positions were near.
     Points operator()(PointsView towards, PointsView start, double stiffness_length, int n_iterations,
                       const ProgressRange& progress = {}, const Vector& trust = {});
 

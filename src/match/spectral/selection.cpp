@@ -141,8 +141,10 @@ std::vector<Candidate> select(const SampledPair& coarse, std::vector<Candidate> 
     const std::vector<Candidate> families(candidates.begin(),
                                           candidates.begin() + static_cast<std::ptrdiff_t>(n_families));
     // What crossing makes of a map may score better and be worse, so both stay.
-    for (std::size_t i = 0; i < std::min(tuning.n_crossed, n_families); ++i) {
-        progress.reach(0.3 + 0.4 * static_cast<double>(i) / static_cast<double>(tuning.n_crossed));
+    const bool is_near_isometry = candidates.front().scores.drift < tuning.least_crossed_drift;
+    const std::size_t n_crossed = is_near_isometry ? 0 : std::min(tuning.n_crossed, n_families);
+    for (std::size_t i = 0; i < n_crossed; ++i) {
+        progress.reach(0.3 + 0.4 * static_cast<double>(i) / static_cast<double>(n_crossed));
         candidates.push_back(crossed(families[i], families, few, middle, tuning, progress));
     }
     keep_distinct(candidates, distance, tuning.distinct, std::max(tuning.n_kept, count));

@@ -32,7 +32,7 @@ TEST(SpectralElasticFit, TurnsMovesAndScalesAsAWhole) {
         Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2).normalized()).toRotationMatrix();
     const Points turned = 1.3 * mesh.vertices * turn.transpose();
     const Points target = turned.rowwise() + Eigen::RowVector3d(5, -2, 1);
-    ElasticFit fit(mesh.vertices, laplace_beltrami(mesh));
+    ElasticFit fit(mesh.vertices, laplace_beltrami(mesh), {.settled = 0});
     Points start = target;
     for (Index v = 0; v < mesh.n_vertices(); v += 3) start.row(v) += Eigen::RowVector3d(0.1, 0, 0.1);
     for (const double length : {0.1, 1.0}) {
@@ -50,6 +50,17 @@ TEST(SpectralElasticFit, FollowsLongFeaturesAndSmoothsShortOnes) {
     EXPECT_LT(largest_distance(fit(rough, rough, 0.01, 10), rough), 0.05 * noise);
     EXPECT_LT(largest_distance(fit(rough, rough, 0.5, 10), bent.vertices), 0.6 * noise);
     EXPECT_GT(largest_distance(fit(rough, rough, 50, 10), bent.vertices), 1.5 * noise);
+}
+
+TEST(SpectralElasticFit, EndsWhenItHasSettled) {
+    const TriangleMesh mesh = banana(0), bent = banana(0.6);
+    const auto fitted = [&](double settled, int n_iterations) {
+        ElasticFit fit(mesh.vertices, laplace_beltrami(mesh), {.settled = settled});
+        return fit(bent.vertices, bent.vertices, 0.5, n_iterations);
+    };
+    EXPECT_EQ(fitted(1e9, 20), fitted(0, 1));
+    EXPECT_NE(fitted(1e-3, 20), fitted(0, 1));
+    EXPECT_LT(largest_distance(fitted(1e-3, 20), fitted(0, 20)), 0.02);
 }
 
 TEST(SpectralElasticFit, StrainSeesWhatIsNoSimilarity) {

@@ -5,6 +5,7 @@
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,51 @@ TEST(SpectralCrossover, OfEqualMapsIsNothing) {
     std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size()));
     std::iota(identity.begin(), identity.end(), 0);
     EXPECT_TRUE(crossovers(pair, candidate(identity), candidate(identity), {}).empty());
+}
+
+// One map exchanges the spikes along +x and -x, the other those along +y and +z: only crossing makes the
+// right one.
+struct SpectralSelection : testing::Test {
+    const PreparedShape shape = spiky();
+    const SampledPair pair{shape, shape, 300, 0.3};
+    SelectionTuning tuning;
+    std::vector<Candidate> wrong;
+
+    SpectralSelection() {
+        tuning.n_samples = tuning.n_sift_samples = 300;
+        tuning.sizes = tuning.sift_sizes = tuning.final_sizes = {40};
+        wrong = {exchanged({-1, 1, 1}, {0}), exchanged({1, 1, 1}, {1, 2})};
+    }
+
+    // Sample by sample the nearest to the place with x mirrored or y and z exchanged, where one of the
+    // coordinates is large.
+    Candidate exchanged(const Eigen::RowVector3f& signs, const std::vector<int>& axes) const {
+        std::vector<Index> map;
+        for (Index s = 0; s < pair.points_a.size(); ++s) {
+            const Eigen::RowVector3f place = pair.positions_a.row(s);
+            Eigen::RowVector3f other = place.cwiseProduct(signs);
+            if (axes.size() > 1) std::swap(other[1], other[2]);
+            Eigen::Index nearest = s;
+            for (const int axis : axes)
+                if (std::abs(place[axis]) > 0.5F * pair.positions_a.maxCoeff())
+                    (pair.positions_a.rowwise() - other).rowwise().squaredNorm().minCoeff(&nearest);
+            map.push_back(static_cast<Index>(nearest));
+        }
+        Candidate result = candidate(map);
+        result.functional = fit_functional_maps(pair.points_a, pair.points_b, result.maps, 40, false);
+        return result;
+    }
+    Candidate best() const { return select(pair, wrong, 1, tuning, {}).front(); }
+};
+
+TEST_F(SpectralSelection, CrossesMapsUnlessTheBestIsNearlyAnIsometry) {
+    const Candidate crossed = best();
+    tuning.least_crossed_drift = std::numeric_limits<double>::infinity();
+    const Candidate taken = best();
+    tuning.n_crossed = 0;
+    const Candidate plain = best();
+    EXPECT_GT(crossed.scores.total, taken.scores.total + 0.05);
+    EXPECT_EQ(taken.maps.b_from_a, plain.maps.b_from_a);
 }
 
 }  // namespace
