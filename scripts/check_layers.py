@@ -3,7 +3,9 @@
 # SPDX-License-Identifier: MIT
 """Checks that modules include only what the table below allows, so that data flows one way through the project.
 
-A type of another module that is declared instead of included counts as included. Public headers may include the standard library, Eigen and <counterpart/...> only."""
+A type of another module that is declared instead of included counts as included. Public headers may include the
+standard library, Eigen and <counterpart/...> only."""
+
 import pathlib
 import re
 import sys

@@ -44,7 +44,10 @@ def problems(root: pathlib.Path):
 def main() -> int:
     root = pathlib.Path(sys.argv[1]).resolve()
     found = list(problems(root))
-    print("\n".join(found) if found else f"links: all of {root.name} lead somewhere", file=sys.stderr if found else sys.stdout)
+    print(
+        "\n".join(found) if found else f"links: all of {root.name} lead somewhere",
+        file=sys.stderr if found else sys.stdout,
+    )
     return 1 if found else 0
 
 

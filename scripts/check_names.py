@@ -5,6 +5,7 @@
 
 Two types of one qualified name in one program are undefined behavior that no compiler or linker reports. A function
 counts with the types of its parameters, as overloads do; types may be declared anywhere."""
+
 import collections
 import pathlib
 import sys

@@ -127,7 +127,7 @@ def functions(reference: Reference, group: list[Element]) -> str:
 
 def table(reference: Reference, rows: list[Element]) -> str:
     """Fields, or values of an enumeration: name, type and default, description."""
-    text = '\n<table>\n'
+    text = "\n<table>\n"
     for row in rows:
         default = one_line(row.find("initializer")).removeprefix("=").strip()
         kind = reference.text(row.find("type"))

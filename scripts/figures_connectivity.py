@@ -37,13 +37,13 @@ def read_medit(file):
 
 
 def write_obj(file, points, faces):
-    lines = ["v %r %r %r" % p for p in points] + ["f " + " ".join(str(c + 1) for c in f) for f in faces]
+    lines = ["v {!r} {!r} {!r}".format(*p) for p in points] + ["f " + " ".join(str(c + 1) for c in f) for f in faces]
     file.write_text("\n".join(lines) + "\n")
 
 
 def write_medit(file, points, cells):
     lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", len(points)]
-    lines += ["%r %r %r 0" % p for p in points] + ["Tetrahedra", len(cells)]
+    lines += ["{!r} {!r} {!r} 0".format(*p) for p in points] + ["Tetrahedra", len(cells)]
     lines += [" ".join(str(i + 1) for i in c) + " 0" for c in cells] + ["End"]
     file.write_text("\n".join(map(str, lines)) + "\n")
 
@@ -80,23 +80,18 @@ def picture(points, faces, colors, left, width, height):
             continue
         light = 0.55 + 0.45 * (0.3 * normal[0] + 0.5 * normal[1] + 0.8 * normal[2]) / length
         color = [min(255, light * sum(colors[i][k] for i in face) / len(face)) for k in range(3)]
-        corners = " ".join(
-            "%.1f,%.1f"
-            % (
-                left + width / 2 + scale * (points[i][0] - (min(xs) + max(xs)) / 2),
-                height / 2 - scale * (points[i][1] - (min(ys) + max(ys)) / 2),
-            )
-            for i in face
-        )
+        x = [left + width / 2 + scale * (points[i][0] - (min(xs) + max(xs)) / 2) for i in face]
+        y = [height / 2 - scale * (points[i][1] - (min(ys) + max(ys)) / 2) for i in face]
+        corners = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y, strict=True))
         depth = sum(points[i][2] for i in face) / len(face)
-        drawn.append((depth, '<path d="M%sZ" fill="#%02x%02x%02x"/>' % (corners, *map(int, color))))
+        drawn.append((depth, '<path d="M{}Z" fill="#{:02x}{:02x}{:02x}"/>'.format(corners, *map(int, color))))
     return [line for _, line in sorted(drawn)]
 
 
 def write_picture(file, source, target, width=420, height=420):
     """Each a triple of points as the viewer sees them, faces and colors."""
     lines = [
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d">' % (2 * width, height),
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {2 * width} {height}">',
         '<rect width="100%" height="100%" fill="#fff"/>',
         '<g stroke="#222" stroke-width=".5" stroke-linejoin="round">',
     ]

@@ -11,8 +11,10 @@ plus 1, wrong above twice the best one's plus 4. Weights minimize the logistic l
 of a pair, each pair counting 1, none below 0; the weight of the selection's score is 1. Needs NumPy. Nothing is
 random.
 """
+
 import argparse
 import json
+import pathlib
 
 import numpy as np
 
@@ -32,7 +34,7 @@ def features(f):
 def load(files):
     pairs = []
     for file in files:
-        for line in open(file):
+        for line in pathlib.Path(file).read_text().splitlines():
             pair = json.loads(line)
             pair["errors"] = np.array([f["mean_error"] for f in pair["finalists"]])
             pair["features"] = np.array([features(f) for f in pair["finalists"]])
@@ -65,8 +67,11 @@ def report(name, pairs, w):
         return
     chosen = [p["errors"][np.argmax(p["features"] @ w)] for p in pairs]
     best = [p["errors"].min() for p in pairs]
-    right = sum(c < 1.5 * b + 1 for c, b in zip(chosen, best))
-    print(f"{name:28} {right:3d} of {len(pairs):3d} right, mean error {np.mean(chosen):6.2f}, best finalists {np.mean(best):6.2f}")
+    right = sum(c < 1.5 * b + 1 for c, b in zip(chosen, best, strict=True))
+    print(
+        f"{name:28} {right:3d} of {len(pairs):3d} right, mean error {np.mean(chosen):6.2f}, "
+        f"best finalists {np.mean(best):6.2f}"
+    )
 
 
 def totals(pair, w):
@@ -91,21 +96,26 @@ def confidence_of(pairs, w, half, width, temperature, length):
 
 def calibration_error(found, n_bins=10):
     """Expected calibration error: mean gap between confidence and the share of good points, over bins."""
-    sure, good = (np.concatenate(x) for x in zip(*found))
+    sure, good = (np.concatenate(x) for x in zip(*found, strict=True))
     bins = np.minimum((sure * n_bins).astype(int), n_bins - 1)
     return sum(abs(sure[bins == b].sum() - good[bins == b].sum()) for b in range(n_bins)) / len(sure)
 
 
 def loss(found):
-    sure, good = (np.concatenate(x) for x in zip(*found))
+    sure, good = (np.concatenate(x) for x in zip(*found, strict=True))
     sure = np.clip(sure, 0.01, 0.99)
     return -np.mean(np.where(good, np.log(sure), np.log(1 - sure)))
 
 
 def fit_confidence(pairs, w):
     """half score, width, temperature, doubt length: the grid point of least logarithmic loss."""
-    grid = [(h, s, t, d) for h in np.arange(0.34, 0.62, 0.04) for s in (0.03, 0.05, 0.08)
-            for t in (0.02, 0.03, 0.05, 0.1) for d in (0.08, 0.12, 0.2)]
+    grid = [
+        (h, s, t, d)
+        for h in np.arange(0.34, 0.62, 0.04)
+        for s in (0.03, 0.05, 0.08)
+        for t in (0.02, 0.03, 0.05, 0.1)
+        for d in (0.08, 0.12, 0.2)
+    ]
     return min(grid, key=lambda constants: loss(confidence_of(pairs, w, *constants)))
 
 
@@ -113,9 +123,11 @@ def report_confidence(name, pairs, w, constants):
     if not pairs:
         return
     found = confidence_of(pairs, w, *constants)
-    wrong = sum(sure.mean() > 0.8 and p["mean_error"] > 6 for (sure, _), p in zip(found, pairs))
-    print(f"{name:28} expected calibration error {calibration_error(found):.3f}, "
-          f"{wrong} pairs above 6 with a mean confidence above 0.8")
+    wrong = sum(sure.mean() > 0.8 and p["mean_error"] > 6 for (sure, _), p in zip(found, pairs, strict=True))
+    print(
+        f"{name:28} expected calibration error {calibration_error(found):.3f}, "
+        f"{wrong} pairs above 6 with a mean confidence above 0.8"
+    )
 
 
 def main():
@@ -126,11 +138,15 @@ def main():
     words = arguments.left_out.lower().split(",")
     pairs = load(arguments.results)
     is_left_out = [any(w in (p["source"] + p["target"]).lower() for w in words) for p in pairs]
-    dev = [p for p, out in zip(pairs, is_left_out) if not out]
-    test = [p for p, out in zip(pairs, is_left_out) if out]
-    for name, w in [("selection alone", np.eye(1 + len(PARTS))[0]), ("as it is", PRESENT),
-                    ("fitted", fit_weights(dev)), ("fitted to all", fit_weights(pairs))]:
-        print(name, dict(zip(["score"] + PARTS, np.round(w, 3))))
+    dev = [p for p, out in zip(pairs, is_left_out, strict=True) if not out]
+    test = [p for p, out in zip(pairs, is_left_out, strict=True) if out]
+    for name, w in [
+        ("selection alone", np.eye(1 + len(PARTS))[0]),
+        ("as it is", PRESENT),
+        ("fitted", fit_weights(dev)),
+        ("fitted to all", fit_weights(pairs)),
+    ]:
+        print(name, dict(zip(["score", *PARTS], np.round(w, 3), strict=True)))
         report("  dev", dev, w)
         report("  left out", test, w)
     w = PRESENT

@@ -4,8 +4,10 @@
 
 Not a parser of C++: it reads the statements between the braces of namespaces and skips all other braces, which is
 enough for headers formatted as this project's are."""
+
 import re
-from typing import Iterator, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 
 class Name(NamedTuple):
@@ -17,7 +19,9 @@ class Name(NamedTuple):
 COMMENT_OR_LITERAL = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'', re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
 NAMESPACE = re.compile(r"^(?:inline\s+)?namespace\s*([\w:]*)$")
-TYPE = re.compile(r"^(?:class|struct|union|enum(?:\s+(?:class|struct))?)\s+(?:\[\[.*?\]\]\s*)?(\w+)\s*(?:final\s*)?(:[^:].*)?$")
+TYPE = re.compile(
+    r"^(?:class|struct|union|enum(?:\s+(?:class|struct))?)\s+(?:\[\[.*?\]\]\s*)?(\w+)\s*(?:final\s*)?(:[^:].*)?$"
+)
 PARAMETER_NAME = re.compile(r"(?:(?<=[\w>*&]\s)|(?<=[&*]))[a-z]\w*$")
 SPECIFIER = re.compile(r"\[\[.*?\]\]|\b(?:COUNTERPART_\w+|alignas\s*\([^)]*\))")
 
@@ -77,7 +81,9 @@ def name_of(whole, scope, has_body, line) -> Iterator[Name]:
     if re.match(r"^template\b", statement):
         statement = statement.removeprefix("template").strip()
     inside = f"{scope}::" if scope else ""
-    if not statement or re.match(r"^(using namespace|static_assert|friend|extern template|namespace|public|private)", statement):
+    if not statement or re.match(
+        r"^(using namespace|static_assert|friend|extern template|namespace|public|private)", statement
+    ):
         return
     if alias := re.match(r"^using\s+(\w+)\s*=", statement):
         yield Name("alias", inside + alias.group(1), line)
@@ -85,7 +91,11 @@ def name_of(whole, scope, has_body, line) -> Iterator[Name]:
         yield Name("type" if has_body else "forward", inside + type_.group(1), line)
     elif function := re.match(r"^[^=(]*?[\s&*](operator\s*[^\s(]+|\w+)\s*\(", statement):
         # Operators are meant to be overloaded; a dot or two colons before the name make it a member.
-        if not function.group(1).startswith("operator") and "::" + function.group(1) + "(" not in statement.replace(" (", "("):
+        if not function.group(1).startswith("operator") and "::" + function.group(1) + "(" not in statement.replace(
+            " (", "("
+        ):
             yield Name("function", inside + signature(whole, function.group(1)), line)
-    elif variable := re.match(r"^(?:inline\s+|constexpr\s+|const\s+|extern\s+|static\s+)+.*?(\w+)\s*(?:\[[^\]]*\]\s*)*(?:=.*)?$", statement):
+    elif variable := re.match(
+        r"^(?:inline\s+|constexpr\s+|const\s+|extern\s+|static\s+)+.*?(\w+)\s*(?:\[[^\]]*\]\s*)*(?:=.*)?$", statement
+    ):
         yield Name("variable", inside + variable.group(1), line)

@@ -38,8 +38,17 @@ def measure(program, pair, options, scratch):
     )
     seconds = processor_seconds() - start
     subprocess.run(
-        [program, "evaluate", *files, f"{scratch}/map.txt", "--truth", str(pair / "truth.txt"), "-q"]
-        + ["--report", f"{scratch}/report.json"],
+        [
+            program,
+            "evaluate",
+            *files,
+            f"{scratch}/map.txt",
+            "--truth",
+            str(pair / "truth.txt"),
+            "-q",
+            "--report",
+            f"{scratch}/report.json",
+        ],
         check=True,
     )
     errors = json.loads(pathlib.Path(f"{scratch}/report.json").read_text())["errors"]
