@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "match/partial/confidence.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
 #include "match/partial/roles.hpp"
 #include "match/partial/tears.hpp"
-#include "match/partial/trust.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/partial.hpp>
@@ -206,17 +206,17 @@ class PartialMatching {
             result_.alternatives.push_back(
                 {target_from_source(partners(*part_, *whole_, found[i].bent, part_is_covered(),
                                              tuning_.overlap, tuning_.islands)),
-                 found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.trust)});
-        const Vector of_part_vertices = confidence(*part_, *whole_, found, best.misfit, tuning_.trust);
+                 found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.confidence)});
+        const Vector of_part_vertices = confidence(*part_, *whole_, found, best.misfit, tuning_.confidence);
         result_.confidence.resize(result_.target_from_source.source_size());
         for (Index v = 0; v < result_.confidence.size(); ++v) {
             const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
             const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
             result_.confidence[v] = result_.target_from_source[v] == VertexMap::unmatched
-                                        ? trust(found.front(), best.misfit, tuning_.trust)
+                                        ? whole_confidence(found.front(), best.misfit, tuning_.confidence)
                                         : of_part_vertices[on_part];
         }
-        result_.warnings = warnings(result_, source_, target_, best.misfit, tuning_.trust);
+        result_.warnings = warnings(result_, source_, target_, best.misfit, tuning_.confidence);
         watch_.lap("confidence");
     }
 

@@ -99,7 +99,7 @@ struct ScaleTuning {
 };
 
 /// Confidence and warnings. None of these changes the map.
-struct TrustTuning {
+struct ConfidenceTuning {
     /// Of the logistic curve: on people and cut shapes, scores of 0.7 and more go with mean errors of 1 to 3,
     /// of 0.64 with 2 to 6, of 0.6 and less with 4 to 12. 0.5 (too sure of wrong maps between parts) tried.
     double half_score = 0.63, score_width = 0.04;
@@ -146,7 +146,7 @@ struct PartialTuning {
     ScaleTuning scale;
     TearTuning tear;
     ChoiceTuning choice;
-    TrustTuning trust;
+    ConfidenceTuning confidence;
     double judge_radius = 0.10;  ///< of SHOT at the images
 };
 

@@ -15,8 +15,8 @@ namespace counterpart::spectral_match {
 
 namespace {
 
-// How far the map as a whole deserves trust.
-double trust(double score, const ConfidenceTuning& tuning) {
+// Of the map as a whole.
+double whole_confidence(double score, const ConfidenceTuning& tuning) {
     return 1 / (1 + std::exp(-(score - tuning.half_score) / tuning.score_width));
 }
 
@@ -60,7 +60,7 @@ Vector round_trips_and_tears(const PreparedShape& a, const PreparedShape& b, con
 
 Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates,
                   const ConfidenceTuning& tuning) {
-    const double whole = trust(candidates.front().scores.total, tuning);
+    const double whole = whole_confidence(candidates.front().scores.total, tuning);
     const Vector agreeing = agreement(pair, candidates, tuning);
     const Islands islands = find_islands(pair.a, pair.b, maps.b_from_a, tuning.islands);
     Vector result = round_trips_and_tears(pair.a, pair.b, maps);

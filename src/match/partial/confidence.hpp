@@ -11,20 +11,21 @@
 
 namespace counterpart::partial_match {
 
-/// How far a fit as a whole deserves trust, in [0, 1].
-double trust(const Fit& fit, double misfit, const TrustTuning& tuning);
+/// Of a fit as a whole, in [0, 1].
+double whole_confidence(const Fit& fit, double misfit, const ConfidenceTuning& tuning);
 
 /// Share of the part's samples that two fits take to different places.
-double share_moved(const BentSource& a, const BentSource& b, const Surface& whole, const TrustTuning& tuning);
+double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
+                   const ConfidenceTuning& tuning);
 
-/// Of each vertex of the part, of the first fit: its trust as a whole, whether the other fits agree, and how
-/// near the vertex came to its image.
+/// Of each vertex of the part, of the first fit: the confidence of the whole, whether the other fits agree,
+/// and how near the vertex came to its image.
 Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
-                  const TrustTuning& tuning);
+                  const ConfidenceTuning& tuning);
 
 /// Sentences about what makes the match doubtful.
 std::vector<std::string> warnings(const PartialResult& result, const spectral_match::Preprocessed& source,
                                   const spectral_match::Preprocessed& target, double misfit,
-                                  const TrustTuning& tuning);
+                                  const ConfidenceTuning& tuning);
 
 }  // namespace counterpart::partial_match

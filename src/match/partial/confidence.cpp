@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/trust.hpp"
+#include "match/partial/confidence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,13 +46,13 @@ double mean_of_matched(const PartialResult& result) {
 
 }  // namespace
 
-double trust(const Fit& fit, double misfit, const TrustTuning& tuning) {
+double whole_confidence(const Fit& fit, double misfit, const ConfidenceTuning& tuning) {
     const double alike = 1 / (1 + std::exp(-(fit.score - tuning.half_score) / tuning.score_width));
     return alike / (1 + std::exp((misfit - tuning.half_misfit) / tuning.misfit_width));
 }
 
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
-                   const TrustTuning& tuning) {
+                   const ConfidenceTuning& tuning) {
     std::size_t moved = 0;
     for (std::size_t v = 0; v < a.image.size(); ++v)
         moved += agree(a, b, v, whole, tuning.same_place) ? 0U : 1U;
@@ -60,9 +60,9 @@ double share_moved(const BentSource& a, const BentSource& b, const Surface& whol
 }
 
 Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
-                  const TrustTuning& tuning) {
+                  const ConfidenceTuning& tuning) {
     const Fit& best = found.front();
-    const double all = trust(best, misfit, tuning);
+    const double all = whole_confidence(best, misfit, tuning);
     Vector result(part.mesh.n_vertices());
     for (Index v = 0; v < part.mesh.n_vertices(); ++v) {
         const auto i = static_cast<std::size_t>(v);
@@ -81,7 +81,7 @@ Vector confidence(const Surface& part, const Surface& whole, const std::vector<F
 
 std::vector<std::string> warnings(const PartialResult& result, const spectral_match::Preprocessed& source,
                                   const spectral_match::Preprocessed& target, double misfit,
-                                  const TrustTuning& tuning) {
+                                  const ConfidenceTuning& tuning) {
     std::vector<std::string> sentences;
     add_mesh_warnings(source, "source", sentences);
     add_mesh_warnings(target, "target", sentences);
