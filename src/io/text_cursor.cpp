@@ -86,13 +86,12 @@ std::string_view TextCursor::word() {
 
 std::string_view TextCursor::rest() {
     skip_blanks();
-    const char* const begin = at_;
-    while (at_ < end_ && !ends_line(*at_) && !continues_line(at_, end_) &&
-           !(*at_ == '#' && at_ > begin && is_blank(at_[-1])))
-        ++at_;
     const char* last = at_;
-    while (last > begin && is_blank(last[-1])) --last;
-    return {begin, static_cast<std::size_t>(last - begin)};
+    while (last < end_ && !ends_line(*last) && !continues_line(last, end_) &&
+           !(*last == '#' && last > at_ && is_blank(last[-1])))
+        ++last;
+    while (last > at_ && is_blank(last[-1])) --last;
+    return {at_, static_cast<std::size_t>(last - at_)};
 }
 
 double TextCursor::number(std::string_view what) {

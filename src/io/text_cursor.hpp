@@ -28,7 +28,7 @@ class TextCursor {
     /// The next word of the line; empty at the line's end.
     std::string_view word();
     /// All that follows on the line, blanks inside included, as names have them: a comment must have a blank
-    /// before it.
+    /// before it. Stays where it is, since for all else a comment begins, and a line ends, at any '#'.
     std::string_view rest();
     /// Gives the last `count` characters of the word just read back.
     void put_back(std::size_t count) { at_ -= count; }

@@ -163,6 +163,11 @@ TEST(AttributedMeshFile, WhatContinuesALineOfAnObjBelongsToIt) {
     EXPECT_EQ(content.mesh.triangles, (Triangles{{0, 1, 2}}));
     EXPECT_EQ(content.texture_coordinates.at(0).corners, (Triangles{{0, 1, 0}}));
     EXPECT_EQ(content.part_names, std::vector<std::string>{"a"});
+    // A comment is not continued, and a name may look like one.
+    const AttributedMesh named = read_attributed(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl#\\\nf 1 2 3\nusemtl a#b\\\nf 3 2 1\n", "named.obj");
+    EXPECT_EQ(named.mesh.n_triangles(), 2);
+    EXPECT_EQ(named.part_names, (std::vector<std::string>{"#", "a#b"}));
 }
 
 TEST(AttributedMeshFile, NamesOfMaterialsComeBackFromAnObj) {
