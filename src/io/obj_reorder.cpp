@@ -45,7 +45,7 @@ std::string with_whole_lines(std::string_view text) {
     bool in_comment = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         in_comment = !ends_line(text[i]) && (in_comment || text[i] == '#');
-        if (text[i] == '\\' && !in_comment && i + 1 < text.size() && ends_line(text[i + 1])) {
+        if (text[i] == '\\' && !in_comment && (i + 1 == text.size() || ends_line(text[i + 1]))) {
             i += text.substr(i + 1, 2) == "\r\n" ? 2 : 1;
             result += ' ';
         } else {

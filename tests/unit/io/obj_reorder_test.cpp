@@ -48,6 +48,10 @@ TEST(ReorderObj, TakesLinesThatABackslashContinuesAsOne) {
     const char* const continued = "v 0 \\\n0 0\nv 1 0 0 # not this \\\nv 0 1 0\nf 2 \\\r\n3\v1\n";
     EXPECT_EQ(reorder_obj(continued, continued, {{0, 1, 2}, 3}, triangles, Triangles{{0, 1, 2}}),
               "v 0  0 0\nv 1 0 0 \nv 0 1 0\nf 2 3 1\n");
+    // The last line, which others come after, continues nothing.
+    const char* const open_end = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 2/1 3/1 1/1\nvt 0 2 0\\";
+    EXPECT_EQ(reorder_obj(open_end, open_end, {{0, 1, 2}, 3}, triangles, Triangles{{0, 1, 2}}),
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 2 0 \nf 2/1 3/1 1/1\n");
 }
 
 TEST(ReorderObj, RefusesWhatDoesNotFit) {
