@@ -48,26 +48,19 @@ void write_gltf_mesh(MeshView mesh, const Path& file) {
 
 void write_gltf_content(const AttributedMesh& content, const Path& file) { write_gltf(content, file); }
 
-constexpr auto write_plain_off = to_bytes<MeshView, off_bytes>;
-constexpr auto write_plain_obj = to_bytes<MeshView, obj_bytes>;
-constexpr auto write_plain_ply = to_bytes<MeshView, ply_bytes>;
-constexpr auto write_plain_stl = to_bytes<MeshView, stl_bytes>;
-constexpr auto write_attributed_obj = to_bytes<const AttributedMesh&, obj_bytes>;
-constexpr auto write_attributed_ply = to_bytes<const AttributedMesh&, ply_bytes>;
-
 constexpr auto table = std::to_array<MeshFormat>({
-    {.extension = ".off", .read = from_bytes<read_off>, .write = write_plain_off},
+    {.extension = ".off", .read = from_bytes<read_off>, .write = to_bytes<MeshView, off_bytes>},
     {.extension = ".obj",
      .read = from_bytes<read_obj>,
      .read_attributed = from_bytes<read_attributed_obj>,
-     .write = write_plain_obj,
-     .write_attributed = write_attributed_obj},
+     .write = to_bytes<MeshView, obj_bytes>,
+     .write_attributed = to_bytes<const AttributedMesh&, obj_bytes>},
     {.extension = ".ply",
      .read = from_bytes<read_ply>,
      .read_attributed = from_bytes<read_attributed_ply>,
-     .write = write_plain_ply,
-     .write_attributed = write_attributed_ply},
-    {.extension = ".stl", .read = from_bytes<read_stl>, .write = write_plain_stl},
+     .write = to_bytes<MeshView, ply_bytes>,
+     .write_attributed = to_bytes<const AttributedMesh&, ply_bytes>},
+    {.extension = ".stl", .read = from_bytes<read_stl>, .write = to_bytes<MeshView, stl_bytes>},
     {.extension = ".glb",
      .read = read_gltf_mesh,
      .read_attributed = read_gltf_content,

@@ -14,12 +14,11 @@ using namespace io;
 
 namespace {
 
-// The extensions of the formats that have one of two members (or that one).
-template <typename First, typename Second>
-std::vector<std::string> extensions_with(First MeshFormat::*first, Second MeshFormat::*second) {
+template <typename Condition>
+std::vector<std::string> extensions_where(const Condition& holds) {
     std::vector<std::string> result;
     for (const MeshFormat& format : mesh_formats())
-        if (format.*first || format.*second) result.emplace_back(format.extension);
+        if (holds(format)) result.emplace_back(format.extension);
     return result;
 }
 
@@ -44,9 +43,10 @@ constexpr const char* not_written = "not written: ";
 }  // namespace
 
 MeshExtensions mesh_extensions() {
-    return {extensions_with(&MeshFormat::read, &MeshFormat::read_cells),
-            extensions_with(&MeshFormat::write, &MeshFormat::write),
-            extensions_with(&MeshFormat::write_solid, &MeshFormat::write_solid)};
+    return {
+        extensions_where([](const MeshFormat& f) { return f.read != nullptr || f.read_cells != nullptr; }),
+        extensions_where([](const MeshFormat& f) { return f.write != nullptr; }),
+        extensions_where([](const MeshFormat& f) { return f.write_solid != nullptr; })};
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {

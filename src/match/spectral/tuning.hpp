@@ -129,7 +129,7 @@ struct SelectionTuning {
     // 3b: crossover.
     std::size_t n_crossed = 3;  ///< the best that are crossed; 0 = none
     /// Of the best map. Below, all limbs are right, and crossing moves the score by 0.02 at most (of 40 pairs
-    /// of animals and 14 of people the 16 below 0.0072; 0.0122 is the next).
+    /// of animals and 14 of people the 17 up to 0.0072; 0.0122 is the next).
     double least_crossed_drift = 0.01;
     int n_crossover_rounds = 3;
     std::size_t n_sift_samples = 300;  ///< all children are first sifted on these
