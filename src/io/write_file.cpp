@@ -85,13 +85,21 @@ bool is_part_of(const std::string& name, const std::string& file_name) {
            middle.substr(0, middle.size() - 5).find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
+bool is_named(const Descriptor& opened, const fs::path& name) {
+    struct stat file = {}, named = {};
+    return ::fstat(opened.number(), &file) == 0 && ::lstat(name.c_str(), &named) == 0 &&
+           file.st_dev == named.st_dev && file.st_ino == named.st_ino;
+}
+
 void remove_left_over_parts(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         if (!is_part_of(entry->path().filename().string(), file.filename().string())) continue;
         const Descriptor part(::open(entry->path().c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-        if (part.is_open() && ::flock(part.number(), LOCK_EX | LOCK_NB) == 0) ::unlink(entry->path().c_str());
+        if (!part.is_open() || ::flock(part.number(), LOCK_EX | LOCK_NB) != 0) continue;
+        // Its writer may have ended well before it was locked here, and the name be another writer's by now.
+        if (is_named(part, entry->path())) ::unlink(entry->path().c_str());
     }
 }
 

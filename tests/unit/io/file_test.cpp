@@ -102,7 +102,7 @@ TEST(AtomicFile, KeepsThePermissionsOfWhatItReplaces) {
 
 TEST(AtomicFile, ThreadsMayWriteOneFile) {
     const test::TemporaryFolder folder;
-    constexpr int n_threads = 8, n_rounds = 50;
+    constexpr int n_threads = 8, n_rounds = 300;
     constexpr std::size_t size = 20'000;
     std::vector<std::thread> writers;
     for (int i = 0; i < n_threads; ++i) {
