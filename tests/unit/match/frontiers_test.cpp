@@ -213,7 +213,7 @@ TEST(MatchFrontiers, GivenSourcesChooseAmongComponentsAlike) {
 }
 
 TEST(MatchFrontiers, CanBeStoppedInEveryStage) {
-    const TriangleMesh mesh = make_torus(60, 30);  // whose regular loops positions must decide
+    const TriangleMesh mesh = make_torus(36, 18);  // whose regular loops positions must decide
     for (const bool paper : {false, true}) {
         for (const double limit : {0.0, 0.3, 0.5, 0.9}) {
             FrontiersOptions options;

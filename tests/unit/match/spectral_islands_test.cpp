@@ -31,6 +31,8 @@ class SpectralIslands : public testing::Test {
   protected:
     const PreparedShape shape = prepare(egg(), {.n_functions = 100, .n_samples = 400});
     const PointsView x{shape.mesh.vertices};
+    const double end = x.col(1).maxCoeff();  // of the y axis, where the ears are
+    const double ear_x = x(nearest({0, end, 0}), 0);
 
     std::vector<Index> identity() const {
         std::vector<Index> map(at(shape.mesh.n_vertices()));
@@ -44,9 +46,7 @@ class SpectralIslands : public testing::Test {
     }
     // Whether a vertex is within `radius` of one of the two ends of the y axis.
     bool is_ear(Index v, double radius) const {
-        const double end = x.col(1).maxCoeff();
-        return (x.row(v) - Eigen::RowVector3d(x(nearest({0, end, 0}), 0), std::copysign(end, x(v, 1)), 0))
-                   .norm() < radius;
+        return (x.row(v) - Eigen::RowVector3d(ear_x, std::copysign(end, x(v, 1)), 0)).norm() < radius;
     }
     // The identity, but the two ears are exchanged, by a half-turn about the x axis.
     std::vector<Index> with_ears_exchanged(double radius) const {
