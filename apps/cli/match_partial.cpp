@@ -26,12 +26,12 @@ Json partial_report(const PartialResult& result) {
                    {"source_share", result.source_share},
                    {"target_share", result.target_share},
                    {"score", result.score},
-                   {"agreement", result.agreement},
                    {"mean_confidence", result.confidence.mean()},
                    {"alternatives", alternatives},
                    {"source_touching", result.source_touching},
                    {"target_touching", result.target_touching},
                    {"warnings", result.warnings}};
+    if (result.part != Part::neither) report["agreement"] = result.agreement;
     if (!result.alternatives.empty()) report["margin"] = result.margin;
     return report;
 }
@@ -62,6 +62,15 @@ std::string part_summary(const PartialResult& result) {
     if (std::abs(result.scale - 1) > 0.005)
         text += fmt::format("; the source is taken {} times as large", readable(result.scale));
     return text;
+}
+
+void add_touching(std::vector<std::string>& messages, const std::string& name,
+                  const std::vector<Index>& vertices) {
+    if (!vertices.empty())
+        messages.push_back(fmt::format(
+            "the {0} may be fused with itself: the map tears at {1} of its vertices (see {0}_touching "
+            "in the report)",
+            name, vertices.size()));
 }
 
 // Every unmatched vertex follows those around it.
@@ -102,6 +111,8 @@ MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& ar
     for (const PartialAlternative& other : result.alternatives)
         outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {} of the part goes elsewhere",
                                                other.score, rounded_percent(other.moved)));
+    add_touching(outcome.messages, "source", result.source_touching);
+    add_touching(outcome.messages, "target", result.target_touching);
     outcome.details = partial_report(result);
     outcome.stages = result.stages;
     outcome.warnings = result.warnings;

@@ -168,14 +168,15 @@ class PartialResult(Result):
     """Of the source's area with a partner, 0 .. 1."""
     target_share: float
     score: float
-    """How alike the matched surfaces look, 0 .. 1: right maps reach about 0.6 and more."""
+    """How alike the matched surfaces look, 0 .. 1: right maps reach about 0.6 and more. Of two whole surfaces the score
+    of `match_spectral`."""
     agreement: float
-    """How well distances agree, 0 .. 1."""
+    """Of a part: how well distances agree, 0 .. 1."""
     margin: float
     """Over the best runner-up's score; inf if there is none."""
     alternatives: list[PartialAlternative]
     source_touching: IntArray
-    """Vertices where the surface seems to be fused with another part of itself."""
+    """Of two whole surfaces: vertices where one seems to be fused with another part of itself."""
     target_touching: IntArray
     warnings: list[str]
     """Sentences: what may be wrong, and what to do."""

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "match/partial/confidence.hpp"
+#include "match/partial/fused.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
 #include "match/partial/roles.hpp"
-#include "match/partial/tears.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/partial.hpp>
@@ -40,7 +40,7 @@ void require_valid(const PartialOptions& options, MeshView source, MeshView targ
 }
 
 Preprocessed cleaned(MeshView mesh, const std::string& name) {
-    constexpr Index min_vertices = 50, max_vertices = 500000;  // 2 GB of distances
+    constexpr Index min_vertices = 50;
     const double area = surface_area(mesh);
     if (!(area > 0))
         throw UnsuitableMesh(fmt::format("the {} has no area: all its triangles are degenerate", name));
@@ -52,12 +52,16 @@ Preprocessed cleaned(MeshView mesh, const std::string& name) {
             fmt::format("partial matching needs meshes of at least {} vertices, but the {} has {}: too "
                         "few to show a shape; subdivide it first",
                         min_vertices, name, result.mesh.n_vertices()));
-    if (result.mesh.n_vertices() > max_vertices)
+    return result;
+}
+
+void require_room_for_distances(const Preprocessed& cleaned, const std::string& name) {
+    constexpr Index max_vertices = 500000;  // 2 GB
+    if (cleaned.mesh.n_vertices() > max_vertices)
         throw UnsuitableMesh(fmt::format(
             "partial matching keeps distances from 900 samples to all vertices, too many for the {} of {} "
             "vertices: simplify it to at most {} first",
-            name, result.mesh.n_vertices(), max_vertices));
-    return result;
+            name, cleaned.mesh.n_vertices(), max_vertices));
 }
 
 TriangleMesh in_units(MeshView mesh, double unit) {
@@ -71,32 +75,30 @@ TriangleMesh in_units(MeshView mesh, double unit) {
 // One pair of meshes: the part is bent onto the whole, whichever of them is the source.
 class PartialMatching {
   public:
-    PartialMatching(MeshView source, MeshView target, const PartialOptions& options,
-                    const ProgressRange& progress)
+    /// `part` is known, and not neither.
+    PartialMatching(Preprocessed source, Preprocessed target, Part part, const PartialOptions& options,
+                    Stopwatch watch, const ProgressRange& progress)
         : options_(options),
           progress_(progress),
-          source_(cleaned(source, "source")),
-          target_(cleaned(target, "target")) {
-        result_.part = options.part == Part::unknown ? seen_part(source_.mesh, target_.mesh) : options.part;
-        bends_source_ = result_.part == Part::source ||
-                        (result_.part == Part::neither &&
-                         euler_characteristic(source_.mesh) <= euler_characteristic(target_.mesh)) ||
-                        (result_.part == Part::both && openness(source_.mesh) >= openness(target_.mesh));
-        watch_.lap("clean");
+          watch_(std::move(watch)),
+          source_(std::move(source)),
+          target_(std::move(target)),
+          bends_source_(part == Part::source ||
+                        (part == Part::both && openness(source_.mesh) >= openness(target_.mesh))) {
+        result_.part = part;
+        require_room_for_distances(source_, "source");
+        require_room_for_distances(target_, "target");
     }
 
     PartialResult run() {
         // Measured from 5000 to 290000 vertices: distances grow with the vertices, trying scales does not.
-        const bool unknown_scale = !options_.same_scale && result_.part != Part::neither;
-        const bool may_tear = result_.part == Part::neither;
-        const double measured = unknown_scale || may_tear ? 0.3 : 0.6,
-                     scaled = unknown_scale ? 0.75 : measured, fitted = may_tear ? 0.5 : 0.98;
+        const double measured = options_.same_scale ? 0.6 : 0.3,
+                     scaled = options_.same_scale ? measured : 0.75;
         measure(progress_.part(0, measured));
-        if (unknown_scale) rescale(progress_.part(measured, scaled));
+        if (!options_.same_scale) rescale(progress_.part(measured, scaled));
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
-        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(scaled, fitted));
-        if (may_tear) tear(found, progress_.part(fitted, 0.98));
+        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(scaled, 0.98));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
         take(found);
         result_.stages = watch_.stages();
@@ -115,10 +117,9 @@ class PartialMatching {
         const bool part_is_larger = of_part().mesh.n_vertices() > of_whole().mesh.n_vertices();
         const ProgressRange silent;
         const double part_area = surface_area(of_part().mesh), whole_area = surface_area(of_whole().mesh);
-        const bool is_known = options_.same_scale && result_.part != Part::neither;
         const double area =
-            result_.part == Part::both && is_known ? std::max(part_area, whole_area) : whole_area;
-        scale_ = is_known ? 1 : std::sqrt(whole_area / part_area);
+            result_.part == Part::both && options_.same_scale ? std::max(part_area, whole_area) : whole_area;
+        scale_ = options_.same_scale ? 1 : std::sqrt(whole_area / part_area);
         std::vector<Index> on_part, on_whole;
         for (const auto& [s, t] : options_.landmarks) {
             on_part.push_back(of_part().matched_of_input[static_cast<std::size_t>(bends_source_ ? s : t)]);
@@ -134,29 +135,6 @@ class PartialMatching {
                                tuning_.surface, part_is_larger ? silent : progress);
             });
         watch_.lap("surfaces");
-    }
-
-    // Where the best map tears the part, the surface may be fused with itself: distances are measured again
-    // without the torn triangles, and the part is matched again.
-    void tear(std::vector<Fit>& found, const ProgressRange& progress) {
-        for (int round = 0; round < tuning_.tear.n_rounds && !found.empty(); ++round) {
-            const Tears tears = find_tears(*part_, *whole_, found.front().bent.image, tuning_.tear);
-            if (tears.vertices.empty()) break;
-            const ProgressRange mine = progress.step(static_cast<std::size_t>(round),
-                                                     static_cast<std::size_t>(tuning_.tear.n_rounds));
-            Surface torn(tears.mesh, n_part_samples(), {}, tuning_.surface, mine.part(0, 0.5));
-            std::vector<Fit> again = fits(SamplePair(torn, *whole_, 0, tuning_.surface), tuning_,
-                                          options_.seed, watch_, mine.part(0.5, 1));
-            if (again.empty() || again.front().total < found.front().total + tuning_.tear.min_gain) break;
-            found = std::move(again);
-            std::vector<Index>& touching = bends_source_ ? result_.source_touching : result_.target_touching;
-            touching.clear();
-            for (const Index v : tears.vertices)
-                touching.push_back(of_part().input_of_matched[static_cast<std::size_t>(v)]);
-            std::sort(touching.begin(), touching.end());
-            part_.emplace(std::move(torn));
-            watch_.lap("tear");
-        }
     }
 
     // Both have unit area now.
@@ -232,7 +210,7 @@ class PartialMatching {
     const PartialTuning tuning_;
     Stopwatch watch_;
     Preprocessed source_, target_;
-    bool bends_source_ = true;
+    bool bends_source_;
     double scale_ = 1;  // by which the part is multiplied, relative to the whole
     std::optional<Surface> part_, whole_;
     PartialResult result_;
@@ -261,8 +239,16 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
     counterpart::require_valid(target);
     require_valid(options, source, target);
     return with_progress(options.progress, [&](const ProgressRange& progress) {
-        return with_threads(options.n_threads,
-                            [&] { return PartialMatching(source, target, options, progress).run(); });
+        return with_threads(options.n_threads, [&] {
+            Stopwatch watch;
+            Preprocessed a = cleaned(source, "source"), b = cleaned(target, "target");
+            const Part part = options.part == Part::unknown ? seen_part(a.mesh, b.mesh) : options.part;
+            watch.lap("clean");
+            if (part == Part::neither)
+                return match_fused(source, target, options, {}, std::move(watch), progress);
+            return PartialMatching(std::move(a), std::move(b), part, options, std::move(watch), progress)
+                .run();
+        });
     });
 }
 

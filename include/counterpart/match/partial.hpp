@@ -54,12 +54,13 @@ struct PartialResult {
     Part part = Part::unknown;                  ///< as given or as seen; never unknown
     double scale = 1;                           ///< by which the source was multiplied
     double source_share = 0, target_share = 0;  ///< of the area with a partner
-    double score =
-        0;  ///< how alike the matched surfaces look, in [0, 1]: right maps reach about 0.6 and more
-    double agreement = 0;  ///< how well distances agree, in [0, 1]
+    /// How alike the matched surfaces look, in [0, 1]: right maps reach about 0.6 and more. Of two whole
+    /// surfaces the score of match_spectral.
+    double score = 0;
+    double agreement = 0;  ///< of a part: how well distances agree, in [0, 1]
     double margin = 0;     ///< over the best runner-up's score; infinite if there is none
     std::vector<PartialAlternative> alternatives;  ///< best first
-    /// Vertices where the surface seems to be fused with another part of itself; increasing.
+    /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.
     std::vector<Index> source_touching, target_touching;
     std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
     std::vector<StageTime> stages;      ///< seconds of each stage, named as in docs/partial.md
@@ -67,9 +68,9 @@ struct PartialResult {
 
 /// Automatic dense correspondence where a mesh shows only a part of the other, has holes, or is fused with
 /// itself. Samples are matched by local shape (SHOT) and by distances along the surfaces, of which cuts leave
-/// only bounds; the part is then bent onto the other mesh. Common connectivity is not used. Independent of
-/// position, rotation and numbering, and of scale unless same_scale says that it is known. docs/partial.md
-/// describes the method.
+/// only bounds; the part is then bent onto the other mesh. Two whole surfaces are matched as by
+/// match_spectral. Common connectivity is not used. Independent of position, rotation and numbering, and of
+/// scale unless same_scale says that it is known. docs/partial.md describes the method.
 ///
 /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 50 distinct vertices, and
 /// for options out of range; Canceled. About O(V^1.2) time, O(V) memory with a factor of 1000.

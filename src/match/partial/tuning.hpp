@@ -120,9 +120,7 @@ struct ConfidenceTuning {
 /// Where surfaces are fused.
 struct TearTuning {
     double length = 0.08,
-           stretch = 2;   ///< an edge is torn if its image is longer than length + stretch * its own
-    int n_rounds = 2;     ///< of tearing and matching again
-    double min_gain = 0;  ///< of the total, to keep a torn map
+           stretch = 2;  ///< an edge is torn if its image is longer than length + stretch * its own
 };
 
 /// Which of the ways in which a part fits is taken. Set by hand after a look at pairs with right

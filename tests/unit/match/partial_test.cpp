@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/partial/tears.hpp"
 #include "support/cuts.hpp"
 #include "support/disguise.hpp"
 
@@ -159,6 +160,39 @@ TEST_F(MatchPartial, WhatFitsALittleIsUnsure) {
     EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& sentence) {
         return sentence.find("do not rely on this map") != std::string::npos;
     }));
+}
+
+// Bent until its foot is in its head's way, and grown together there.
+TEST_F(MatchPartial, AFusedBodyIsMatchedAndWhereItTouchesIsSuspected) {
+    const double radian = std::acos(-1) / 180;
+    const FusedMesh fused =
+        fuse(deform(other_rest, {.bend = 360 * radian, .twist = 100 * radian}), 0.03 * length);
+    const PartialResult result = match_partial(fused.mesh, whole, {.part = Part::neither, .n_samples = 300});
+    EXPECT_EQ(count_matched(result.target_from_source), fused.mesh.n_vertices());
+    double sum = 0;
+    int n = 0;
+    for (Index v = 0; v < other_rest.n_vertices(); ++v) {
+        const Index own = fused.fused_from_original[static_cast<std::size_t>(v)];
+        if (own < 0) continue;
+        sum += (other_rest.vertices.row(v) - whole.vertices.row(result.target_from_source[own])).norm();
+        ++n;
+    }
+    EXPECT_LT(100 * sum / n / length, 10);  // where it touches its twisted limbs are stretched
+    const auto n_touching = static_cast<double>(result.source_touching.size());
+    EXPECT_GT(n_touching, 0.001 * fused.mesh.n_vertices());
+    EXPECT_LT(n_touching, 0.1 * fused.mesh.n_vertices());
+}
+
+TEST_F(MatchPartial, TornVerticesAreThoseWhoseNeighborsGoElsewhere) {
+    const TriangleMesh sheet = make_grid(20, 20);
+    const double unit = std::sqrt(surface_area(sheet));
+    Points places = sheet.vertices / unit;
+    EXPECT_TRUE(partial_match::torn_vertices(sheet, places, {}).empty());
+    EXPECT_TRUE(partial_match::torn_vertices(sheet, 2 * places, {}).empty());
+    places.row(210) += Eigen::RowVector3d(0, 0, 0.5);  // inside: it and the four around it
+    const std::vector<Index> torn = partial_match::torn_vertices(sheet, places, {});
+    EXPECT_EQ(torn.size(), 5U);
+    EXPECT_TRUE(std::binary_search(torn.begin(), torn.end(), 210));
 }
 
 TEST_F(MatchPartial, DoesNotDependOnThreads) {

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/partial/fused.hpp"
+
+#include "base/parallel.hpp"
+#include "match/partial/tears.hpp"
+#include "match/spectral/pipeline.hpp"
+
+#include <counterpart/mesh/measure.hpp>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace counterpart::partial_match {
+namespace {
+
+// Where the images are, in units of the target's sqrt(area).
+Points places(const VertexMap& map, MeshView target) {
+    return target.vertices(map.image(), Eigen::all) / std::sqrt(surface_area(target));
+}
+
+double share_moved(const Points& best, const Points& other, double distance) {
+    return ((best - other).rowwise().norm().array() >= distance).cast<double>().mean();
+}
+
+}  // namespace
+
+PartialResult match_fused(MeshView source, MeshView target, const PartialOptions& options,
+                          const PartialTuning& tuning, Stopwatch watch, const ProgressRange& progress) {
+    using spectral_match::PreparedShape;
+    std::optional<PreparedShape> a, b;
+    const spectral_match::PreparationOptions preparation{.n_samples = options.n_samples,
+                                                         .seed = options.seed};
+    const ProgressRange preparing = progress.part(0, 0.4);
+    parallel_invoke([&] { a = spectral_match::prepare(source, preparation, {}, preparing); },
+                    [&] { b = spectral_match::prepare(target, preparation, {}, preparing); });
+    watch.lap("prepare");
+    SpectralOptions matching;
+    matching.landmarks = options.landmarks;
+    matching.n_alternatives = options.n_alternatives;
+    SpectralResult found =
+        spectral_match::match(*a, *b, matching, {}, progress.part(0.4, 0.98), std::move(watch));
+
+    PartialResult result;
+    result.part = Part::neither;
+    result.scale = std::sqrt(surface_area(target) / surface_area(source));
+    result.source_share = result.target_share = 1;
+    const Points best = places(found.target_from_source, target);
+    for (SpectralAlternative& other : found.alternatives) {
+        const double moved =
+            share_moved(best, places(other.target_from_source, target), tuning.confidence.same_place);
+        result.alternatives.push_back({std::move(other.target_from_source), other.score, moved});
+    }
+    result.source_touching = torn_vertices(source, best, tuning.tear);
+    result.target_touching = torn_vertices(target, places(found.source_from_target, source), tuning.tear);
+    result.target_from_source = std::move(found.target_from_source);
+    result.source_from_target = std::move(found.source_from_target);
+    result.confidence = std::move(found.confidence);
+    result.score = found.score;
+    result.margin = found.margin;
+    result.warnings = std::move(found.warnings);
+    result.stages = std::move(found.stages);
+    return result;
+}
+
+}  // namespace counterpart::partial_match

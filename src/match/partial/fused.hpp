@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "base/progress_range.hpp"
+#include "match/partial/tuning.hpp"
+
+#include <counterpart/match/partial.hpp>
+
+namespace counterpart::partial_match {
+
+/// Two whole surfaces, of which either may be fused with itself: matched as whole surfaces are (see
+/// match/spectral/pipeline.hpp), whose refinement follows positions more than distances. Where the map tears
+/// a mesh, that is suspected to touch itself. `options` are valid; their threads and progress are not looked
+/// at.
+PartialResult match_fused(MeshView source, MeshView target, const PartialOptions& options,
+                          const PartialTuning& tuning, Stopwatch watch, const ProgressRange& progress);
+
+}  // namespace counterpart::partial_match
