@@ -11,14 +11,16 @@
 // in the truth says nothing), none (it says that there is no partner), or inner (so where all neighbors have
 // none either: where the whole's vertices outnumber the part's, several share one), only=SUBSTRING of the
 // pair, swap=1 (match target to source), kept=SHARE (the source's triangles are made anew, with this share of
-// its vertices), by=connectivity (find_differences in place of match_partial). One JSON line per pair goes to
-// RESULTS. Errors are geodesic, times 100 / sqrt(target area); the last line on stdout is the summary.
+// its vertices), by=connectivity (find_differences in place of match_partial) or automatic (match). One JSON
+// line per pair goes to RESULTS. Errors are geodesic, times 100 / sqrt(target area); the last line on stdout
+// is the summary.
 #include "base/random.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/match/differences.hpp>
+#include <counterpart/match/match.hpp>
 #include <counterpart/match/partial.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/measure.hpp>
@@ -96,6 +98,15 @@ PartialResult by_connectivity(const TriangleMesh& source, const TriangleMesh& ta
     return result;
 }
 
+PartialResult by_automatic(const TriangleMesh& source, const TriangleMesh& target,
+                           const PartialOptions& options) {
+    const MatchResult found = match(source, target, {.partial = options, .n_threads = options.n_threads});
+    PartialResult result = found.partial.value_or(PartialResult{});
+    result.target_from_source = found.target_from_source;
+    result.confidence = found.confidence;
+    return result;
+}
+
 Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
              const Settings& settings, int n_threads) {
     const auto setting = [&](const std::string& key, const std::string& otherwise) {
@@ -121,9 +132,10 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
     PartialOptions options{.part = part_named(setting("part", "unknown")), .n_threads = n_threads};
     options.same_scale = setting("scale", "same") == "same";
     Stopwatch watch;
-    const PartialResult result = setting("by", "geometry") == "connectivity"
-                                     ? by_connectivity(source, target, n_threads)
-                                     : match_partial(source, target, options);
+    const std::string by = setting("by", "geometry");
+    const PartialResult result = by == "connectivity" ? by_connectivity(source, target, n_threads)
+                                 : by == "automatic"  ? by_automatic(source, target, options)
+                                                      : match_partial(source, target, options);
     watch.lap("match");
 
     const bool none_is_known = setting("unpaired", "none") != "unknown";

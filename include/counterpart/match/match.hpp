@@ -75,7 +75,8 @@ struct MatchResult {
 ///      gets -1;
 ///   3. where a mesh is open, or said to be a part: the partial map (match_partial), -1 for what has no
 ///      partner;
-///   4. otherwise the spectral map (match_spectral), which matches every vertex;
+///   4. otherwise the spectral map (match_spectral), which matches every vertex; in 3 and 4, if 30 % or more
+///      of the connectivity agrees, the partners that it shows are kept and lead the method;
 ///   5. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
 ///      similarity alignment.
 ///

@@ -29,7 +29,8 @@ struct PartialOptions {
     /// The files share their unit of length, as scans usually do. Otherwise the scale is searched, which is
     /// less certain and takes longer.
     bool same_scale = false;
-    /// Known pairs (source vertex, target vertex), from 0; none or more.
+    /// Known pairs (source vertex, target vertex), from 0; none or more. They hold exactly in both maps,
+    /// where no two share a vertex.
     std::vector<std::pair<Index, Index>> landmarks{};
     int n_samples = 900;  ///< farthest-point samples of the whole, 200 .. 5000; a quarter as many of the part
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10

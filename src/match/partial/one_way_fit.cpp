@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace counterpart::partial_match {
 namespace {
@@ -38,18 +39,27 @@ Vector trust_in(const BentSource& bent, const Surface& target, const FitTuning& 
 
 BentSource fit_one_way(const Surface& source, const LaplaceBeltrami& laplacian, const Surface& target,
                        const numerics::OrientedNeighbors& on_target, const std::vector<Index>& start,
-                       const FitTuning& tuning, const ProgressRange& progress) {
+                       std::vector<std::pair<Index, Index>> pins, const FitTuning& tuning,
+                       const ProgressRange& progress) {
     const Eigen::Index n = source.mesh.n_vertices();
     spectral_match::RefinementTuning rigid;
     rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
     spectral_match::ElasticFit fit(source.mesh.vertices, laplacian, rigid);
-    BentSource bent{start, Points(n, 3), source.normals};
+    BentSource bent{start, Points(n, 3), source.normals, 0, std::move(pins)};
     Vector trust = Vector::Ones(n);
+    const auto pin = [&] {
+        for (const auto& [v, image] : bent.pins) {
+            bent.image[at(v)] = image;
+            trust[v] = tuning.pin_trust;
+        }
+    };
     for (Eigen::Index v = 0; v < n; ++v) {
         if (start[at(v)] < 0) trust[v] = tuning.min_trust, bent.image[at(v)] = 0;
         bent.positions.row(v) = target.mesh.vertices.row(bent.image[at(v)]);
         if (target.on_boundary[at(bent.image[at(v)])] != 0) trust[v] *= tuning.beyond_trust;
     }
+    pin();
+    for (const auto& [v, image] : bent.pins) bent.positions.row(v) = target.mesh.vertices.row(image);
     const double ratio =
         std::pow(tuning.last_length / tuning.first_length, 1.0 / std::max(tuning.n_rounds - 1, 1));
     double length = tuning.first_length;
@@ -57,6 +67,7 @@ BentSource fit_one_way(const Surface& source, const LaplaceBeltrami& laplacian, 
         Points towards(n, 3);
         for (Eigen::Index v = 0; v < n; ++v) towards.row(v) = target.mesh.vertices.row(bent.image[at(v)]);
         if (round > 0) trust = trust_in(bent, target, tuning);
+        pin();
         bent.positions = fit(towards, bent.positions, length,
                              round == 0 ? tuning.n_first_iterations : tuning.n_iterations, progress, trust);
         bent.normals = vertex_normals({bent.positions, source.mesh.triangles});
@@ -64,6 +75,7 @@ BentSource fit_one_way(const Surface& source, const LaplaceBeltrami& laplacian, 
             const auto row = static_cast<Eigen::Index>(v);
             bent.image[v] = on_target.closest(bent.positions.row(row), bent.normals.row(row));
         });
+        pin();
         progress.reach((round + 1.0) / tuning.n_rounds);
     }
     bent.strain = fit.strain(bent.positions);

@@ -41,10 +41,9 @@ double misfit(const std::vector<Place>& places, const TriangleMesh& mesh) {
     return does_not > 0 ? does_not / (fits + does_not) : 0;
 }
 
-}  // namespace
-
-PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource& bent, bool part_is_covered,
-                     const OverlapTuning& tuning, const IslandTuning& island_tuning) {
+PartnerMaps seen_partners(const Surface& part, const Surface& whole, const BentSource& bent,
+                          bool part_is_covered, const OverlapTuning& tuning,
+                          const IslandTuning& island_tuning) {
     const Placed a{bent.positions, bent.normals, part.on_boundary, mean_edge_length(part.mesh)},
         b{whole.mesh.vertices, whole.normals, whole.on_boundary, mean_edge_length(whole.mesh)};
     PartnerMaps maps{bent.image, std::vector<Index>(static_cast<std::size_t>(whole.mesh.n_vertices()), -1)};
@@ -67,6 +66,18 @@ PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource
         without_islands(std::move(maps.whole_from_part), part.mesh, whole.mesh, island_tuning);
     maps.part_from_whole =
         without_islands(std::move(maps.part_from_whole), whole.mesh, part.mesh, island_tuning);
+    return maps;
+}
+
+}  // namespace
+
+PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource& bent, bool part_is_covered,
+                     const OverlapTuning& tuning, const IslandTuning& island_tuning) {
+    PartnerMaps maps = seen_partners(part, whole, bent, part_is_covered, tuning, island_tuning);
+    for (const auto& [on_part, on_whole] : bent.pins) {
+        maps.whole_from_part[static_cast<std::size_t>(on_part)] = on_whole;
+        maps.part_from_whole[static_cast<std::size_t>(on_whole)] = on_part;
+    }
     return maps;
 }
 

@@ -6,12 +6,14 @@
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/map/invert.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
+#include <counterpart/mesh/weld.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -178,6 +180,37 @@ TEST(Match, MinSharedDecidesWhatIsNearlyTheSame) {
     expect_part(result.reason, "the connectivity differs: ");
     EXPECT_TRUE(result.differences.has_value());
     EXPECT_EQ(result.n_filled, 0);
+}
+
+// The same mesh below, other triangles above.
+TriangleMesh with_other_triangles_above(const TriangleMesh& mesh, double height) {
+    std::vector<Index> above, below;
+    for (Index t = 0; t < mesh.n_triangles(); ++t)
+        (mesh.vertices(mesh.triangles(t, 0), 1) > height ? above : below).push_back(t);
+    const TriangleMesh upper{mesh.vertices, mesh.triangles(above, Eigen::all)},
+        lower{mesh.vertices, mesh.triangles(below, Eigen::all)};
+    return weld(test::joined(lower, retriangulate(upper, {.kept_share = 0.7}).mesh)).mesh;
+}
+
+TEST(Match, WhatConnectivityFindsLeadsTheRestAndStays) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const double height = source.vertices.col(1).mean();
+    const TriangleMesh other = with_other_triangles_above(source, height);
+    const test::DisguisedMesh target = disguised(other);
+    const MatchResult result = match(source, target.mesh, quick());
+    EXPECT_EQ(result.method, MatchMethod::spectral);
+    expect_part(result.reason, "% of the source's vertices, which it shows, stay");
+    const VertexMap original = invert(target.mesh_from_original);
+    Index n_exact = 0;
+    double sum = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        const double error =
+            (other.vertices.row(original[result.target_from_source[v]]) - source.vertices.row(v)).norm();
+        n_exact += error == 0 && result.confidence[v] == 1 ? 1 : 0;
+        sum += error;
+    }
+    EXPECT_GT(n_exact, 0.3 * source.n_vertices());
+    EXPECT_LT(100 * sum / source.n_vertices() / std::sqrt(surface_area(source)), 2);
 }
 
 TEST(Match, MeshesOfVeryDifferentSizeAreNotComparedInDetail) {

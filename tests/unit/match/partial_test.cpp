@@ -131,8 +131,13 @@ TEST_F(MatchPartial, LandmarksAreKept) {
     const PartialResult free = match_partial(part.mesh, other, known);
     PartialOptions options = known;
     for (const Index v : {10, 200, 400}) options.landmarks.emplace_back(v, free.target_from_source[v]);
+    options.landmarks[1].second = free.target_from_source[201];  // near, not where the surface would go
     const PartialResult result = match_partial(part.mesh, other, options);
     EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
+    for (const auto& [on_part, on_whole] : options.landmarks) {
+        EXPECT_EQ(result.target_from_source[on_part], on_whole);
+        EXPECT_EQ(result.source_from_target[on_whole], on_part);
+    }
 }
 
 TEST_F(MatchPartial, UnlikeShapesAndWrongScalesAreDoubted) {

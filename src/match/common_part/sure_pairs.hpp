@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+//
+// What connectivity finds where it finds too little to be the map: it leads the method that finds the rest,
+// and stays.
+#pragma once
+
+#include <counterpart/match/differences.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace counterpart::common_part {
+
+/// The matched vertices that are not uncertain: partners by source vertex, -1 for the others.
+std::vector<Index> sure_images(const MeshDifferences& shared);
+
+/// At most `count` sure pairs, spread over the source: those of farthest-point samples. O(V log V).
+std::vector<std::pair<Index, Index>> spread_pairs(const std::vector<Index>& sure, MeshView source,
+                                                  Index count);
+
+/// A map, its reverse and its confidence, with the sure pairs in place of what they say there.
+void keep(const std::vector<Index>& sure, VertexMap& target_from_source, VertexMap& source_from_target,
+          Vector& confidence);
+
+}  // namespace counterpart::common_part
