@@ -91,6 +91,7 @@ PartialOptions PartialArguments::options_for(const MatchInput& input, const Spec
     PartialOptions result = options;
     result.n_alternatives = shared.options.n_alternatives;
     result.seed = shared.shape.seed;
+    result.soft_landmarks = shared.options.soft_landmarks;
     result.n_threads = input.common.threads;
     result.progress = input.progress;
     if (!shared.landmarks.empty())
@@ -134,7 +135,7 @@ void fill(MatchOutcome& outcome, const MatchInput& input) {
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
                                  const std::shared_ptr<SpectralArguments>& shared) {
     const std::string group =
-        "Options of --method partial (which also uses --landmarks, --seed, --alternatives)";
+        "Options of --method partial (which also uses --landmarks, --soft-landmarks, --seed, --alternatives)";
     const std::map<std::string, Part> parts{{"unknown", Part::unknown},
                                             {"source", Part::source},
                                             {"target", Part::target},
@@ -164,7 +165,7 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
                     match_partial(input.source, input.target, arguments->options_for(input, *shared)));
             },
             true,
-            {"--landmarks", "--seed", "--alternatives", "--alternatives-output"}};
+            {"--landmarks", "--soft-landmarks", "--seed", "--alternatives", "--alternatives-output"}};
 }
 
 }  // namespace counterpart::cli

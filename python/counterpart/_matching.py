@@ -49,13 +49,14 @@ def match(
     method : str
         "auto" tries, in this order: the same connectivity (exact); nearly the same (what the meshes share, the gaps
         filled); where a mesh is open, or `part` is given, partial; else spectral; where that cannot work, the nearest
-        vertices after a similarity alignment. The others go by name: "exact", "frontiers", "partial", "spectral",
+        vertices after a similarity alignment. Partners that 30 % or more of the connectivity shows are kept by partial
+        and spectral. The others go by name: "exact", "frontiers", "partial", "spectral",
         "nearest", "assignment".
     landmarks : array_like of int, (n, 2), optional
-        Known pairs (source vertex, target vertex), one or more: they guide the search of spectral and partial; in the
-        map of spectral they hold exactly.
+        Known pairs (source vertex, target vertex), one or more: they guide the search of spectral and partial, and hold
+        exactly.
     soft_landmarks : bool
-        Spectral: landmarks only guide the choice of the map.
+        Landmarks only guide the search.
     excluded : array_like of int, (n, 2), optional
         Spectral: pairs (source vertex, target vertex) that do not correspond, nor do their surroundings.
     aligned : bool
@@ -130,6 +131,7 @@ def match(
             part=part,
             same_scale=same_scale,
             landmarks=pairs(landmarks, "landmarks"),
+            soft_landmarks=soft_landmarks,
             n_alternatives=n_alternatives,
             seed=seed,
         ),

@@ -172,6 +172,7 @@ def match_partial(
     part: Part = "unknown",
     same_scale: bool = False,
     landmarks: Any = None,
+    soft_landmarks: bool = False,
     n_samples: int = 900,
     n_alternatives: int = 3,
     seed: int = 0,
@@ -183,7 +184,7 @@ def match_partial(
     Parameters
     ----------
     source, target : MeshLike
-    part, same_scale, landmarks
+    part, same_scale, landmarks, soft_landmarks
         See `match`.
     n_samples : int
         Farthest-point samples of the whole, 200 .. 5000; the part has a quarter as many.
@@ -218,6 +219,7 @@ def match_partial(
         part=part,
         same_scale=same_scale,
         landmarks=pairs(landmarks, "landmarks"),
+        soft_landmarks=soft_landmarks,
         n_samples=n_samples,
         n_alternatives=n_alternatives,
         seed=seed,

@@ -80,6 +80,7 @@ void bind_partial_options(nb::module_& module) {
     nb::class_<PartialOptions> options(module, "PartialOptions");
     options.def(nb::init<>())
         .def_rw("same_scale", &PartialOptions::same_scale)
+        .def_rw("soft_landmarks", &PartialOptions::soft_landmarks)
         .def_rw("n_samples", &PartialOptions::n_samples)
         .def_rw("n_alternatives", &PartialOptions::n_alternatives)
         .def_rw("seed", &PartialOptions::seed)

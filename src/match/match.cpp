@@ -265,8 +265,10 @@ class Matching {
         PartialOptions options = options_.partial;
         options.n_threads = options_.n_threads;
         options.progress = part_of(progress_, begin, 1);
-        if (options.landmarks.empty())
+        if (options.landmarks.empty()) {
             options.landmarks = sure_.empty() ? options_.spectral.landmarks : leading_pairs();
+            options.soft_landmarks = options_.spectral.soft_landmarks;
+        }
         result_.partial = match_partial(source_, target_, options);
         keep_sure(*result_.partial);
         result_.target_from_source = result_.partial->target_from_source;

@@ -98,7 +98,8 @@ class PartialMatching {
         if (!options_.same_scale) rescale(progress_.part(measured, scaled));
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
-        std::vector<Fit> found = fits(pair, tuning_, options_.seed, watch_, progress_.part(scaled, 0.98));
+        std::vector<Fit> found =
+            fits(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.98));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
         take(found);
         result_.stages = watch_.stages();
@@ -135,6 +136,14 @@ class PartialMatching {
                                tuning_.surface, part_is_larger ? silent : progress);
             });
         watch_.lap("surfaces");
+    }
+
+    // The landmarks, on the part and on the whole, unless they are soft.
+    std::vector<std::pair<Index, Index>> pins() const {
+        std::vector<std::pair<Index, Index>> pairs;
+        for (std::size_t u = 0; !options_.soft_landmarks && u < options_.landmarks.size(); ++u)
+            pairs.emplace_back(part_->samples[u], whole_->samples[u]);
+        return pairs;
     }
 
     // Both have unit area now.

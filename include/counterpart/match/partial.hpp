@@ -32,6 +32,7 @@ struct PartialOptions {
     /// Known pairs (source vertex, target vertex), from 0; none or more. They hold exactly in both maps,
     /// where no two share a vertex.
     std::vector<std::pair<Index, Index>> landmarks{};
+    bool soft_landmarks = false;  ///< landmarks guide the search only
     int n_samples = 900;  ///< farthest-point samples of the whole, 200 .. 5000; a quarter as many of the part
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
     std::uint64_t seed = 0;  ///< of the groups that are tried; good maps do not depend on it

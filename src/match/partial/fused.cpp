@@ -38,6 +38,7 @@ PartialResult match_fused(MeshView source, MeshView target, const PartialOptions
     watch.lap("prepare");
     SpectralOptions matching;
     matching.landmarks = options.landmarks;
+    matching.soft_landmarks = options.soft_landmarks;
     matching.n_alternatives = options.n_alternatives;
     SpectralResult found =
         spectral_match::match(*a, *b, matching, {}, progress.part(0.4, 0.98), std::move(watch));

@@ -19,13 +19,6 @@ double mean_of(const std::vector<float>& values) {
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
-std::vector<std::pair<Index, Index>> known_pairs(const SamplePair& pair) {
-    std::vector<std::pair<Index, Index>> known;
-    for (std::size_t u = 0; u < static_cast<std::size_t>(pair.n_landmarks); ++u)
-        known.emplace_back(pair.source.samples[u], pair.target.samples[u]);
-    return known;
-}
-
 // SHOT of the part's samples against SHOT of the whole at their images: it depends on no distance, so it
 // judges maps that distances made.
 void judge(Fit& fit, const SamplePair& pair, const MatrixF& of_part, const PartialTuning& tuning) {
@@ -109,8 +102,9 @@ ScaleTrial try_scale(const SamplePair& pair, const PartialTuning& tuning, std::u
 
 }  // namespace
 
-std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::uint64_t seed,
-                      Stopwatch& watch, const ProgressRange& progress) {
+std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index, Index>>& pins,
+                      const PartialTuning& tuning, std::uint64_t seed, Stopwatch& watch,
+                      const ProgressRange& progress) {
     const Surface &part = pair.source, &whole = pair.target;
     const std::vector<SampleMap> groups = consensus_maps(pair, tuning.consensus, seed, progress.part(0, 0.2));
     watch.lap("consensus");
@@ -127,8 +121,7 @@ std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::
         const std::vector<Index> start =
             anchored_map(part, whole, fit.anchors, tuning.anchoring, mine.part(0, 0.2));
         watch.lap("anchor");
-        fit.bent = fit_one_way(part, laplacian, whole, on_whole, start, known_pairs(pair), tuning.fit,
-                               mine.part(0.2, 1));
+        fit.bent = fit_one_way(part, laplacian, whole, on_whole, start, pins, tuning.fit, mine.part(0.2, 1));
         watch.lap("fit");
         judge(fit, pair, of_part, tuning);
         watch.lap("judge");

@@ -22,9 +22,11 @@ struct Fit {
     double total = 0;          // the larger, the better; comparable within a pair
 };
 
-/// Steps 2 to 6: the ways in which the part fits the whole, best first.
-std::vector<Fit> fits(const SamplePair& pair, const PartialTuning& tuning, std::uint64_t seed,
-                      Stopwatch& watch, const ProgressRange& progress);
+/// Steps 2 to 6: the ways in which the part fits the whole, best first. `pins` are vertices that are images
+/// of each other in all of them.
+std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index, Index>>& pins,
+                      const PartialTuning& tuning, std::uint64_t seed, Stopwatch& watch,
+                      const ProgressRange& progress);
 
 /// The factor by which the part must grow so that its lengths are those of the whole. Tried from `least` to
 /// `most`.

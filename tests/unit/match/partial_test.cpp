@@ -138,6 +138,9 @@ TEST_F(MatchPartial, LandmarksAreKept) {
         EXPECT_EQ(result.target_from_source[on_part], on_whole);
         EXPECT_EQ(result.source_from_target[on_whole], on_part);
     }
+    options.soft_landmarks = true;
+    EXPECT_NE(match_partial(part.mesh, other, options).target_from_source[options.landmarks[1].first],
+              options.landmarks[1].second);
 }
 
 TEST_F(MatchPartial, UnlikeShapesAndWrongScalesAreDoubted) {
