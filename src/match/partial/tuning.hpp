@@ -66,7 +66,7 @@ struct FitTuning {
     double first_length = 1, last_length = 0.14;  ///< the fits keep shapes below this size
     double normal_weight = 0.1;                   ///< a full turn of the normal counts as twice this distance
     double robust_factor = 2, min_scale = 0.005;  ///< of the median distance: points farther away hardly pull
-    double pin_trust = 1;  ///< in a landmark, where 1 is the most that another vertex has
+    double pin_trust = 1;  ///< in a landmark; the most that another vertex has; no other was tried
     double min_trust = 1e-3, turned_trust = 0.05, min_cosine = 0.2;
     double beyond_trust = 0.05;  ///< in an image on the target's boundary: the part may go on beyond it
 };

@@ -199,7 +199,7 @@ TEST(Match, WhatConnectivityFindsLeadsTheRestAndStays) {
     const test::DisguisedMesh target = disguised(other);
     const MatchResult result = match(source, target.mesh, quick());
     EXPECT_EQ(result.method, MatchMethod::spectral);
-    expect_part(result.reason, "% of the source's vertices, which it shows, stay");
+    expect_part(result.reason, "connectivity shows the partners of ");
     const VertexMap original = invert(target.mesh_from_original);
     Index n_exact = 0;
     double sum = 0;
@@ -211,6 +211,14 @@ TEST(Match, WhatConnectivityFindsLeadsTheRestAndStays) {
     }
     EXPECT_GT(n_exact, 0.3 * source.n_vertices());
     EXPECT_LT(100 * sum / source.n_vertices() / std::sqrt(surface_area(source)), 2);
+
+    // A person who says that a pair is wrong is not contradicted.
+    MatchOptions options = quick();
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        if (result.confidence[v] == 1)
+            options.spectral.excluded.emplace_back(v, result.target_from_source[v]);
+    const MatchResult without = match(source, target.mesh, options);
+    EXPECT_EQ(without.reason.find("these are kept"), std::string::npos) << without.reason;
 }
 
 TEST(Match, MeshesOfVeryDifferentSizeAreNotComparedInDetail) {
