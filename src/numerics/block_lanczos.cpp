@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "numerics/block_lanczos.hpp"
 
-#include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "numerics/shifted_factor.hpp"
 #include "numerics/symmetric_eigen.hpp"
+#include "numerics/tall_product.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,30 +23,6 @@ constexpr Eigen::Index first_block = 8;
 // Size of the first space that is looked at. With 1.6, 200 functions of a body of 5000 vertices have
 // converged to 1e-3 at once, with 1.9 to 1e-6.
 constexpr double vectors_per_pair = 1.6;
-
-// Products of tall matrices, in pieces that do not depend on the number of threads.
-constexpr Eigen::Index columns_per_task = 64, rows_per_task = 512;
-
-Eigen::MatrixXd transposed_times(const Eigen::Ref<const Eigen::MatrixXd>& a, const Eigen::MatrixXd& b) {
-    Eigen::MatrixXd result(a.cols(), b.cols());
-    const auto n_tasks = static_cast<std::size_t>((a.cols() + columns_per_task - 1) / columns_per_task);
-    parallel_for(n_tasks, 1, [&](std::size_t task) {
-        const Eigen::Index first = static_cast<Eigen::Index>(task) * columns_per_task,
-                           n = std::min(columns_per_task, a.cols() - first);
-        result.middleRows(first, n).noalias() = a.middleCols(first, n).transpose() * b;
-    });
-    return result;
-}
-
-// body(first row, number of rows)
-template <class Body>
-void for_rows(Eigen::Index n_rows, const Body& body) {
-    const auto n_tasks = static_cast<std::size_t>((n_rows + rows_per_task - 1) / rows_per_task);
-    parallel_for(n_tasks, 1, [&](std::size_t task) {
-        const Eigen::Index first = static_cast<Eigen::Index>(task) * rows_per_task;
-        body(first, std::min(rows_per_task, n_rows - first));
-    });
-}
 
 // Mass-orthonormal vectors that span more and more of the block Krylov space, and the shifted inverse
 // (stiffness - shift * mass)^-1 mass restricted to them.
@@ -90,12 +66,7 @@ class KrylovSpace {
     }
 
     Eigen::MatrixXd in_space(const Eigen::MatrixXd& coefficients) const {
-        Eigen::MatrixXd result(basis_.rows(), coefficients.cols());
-        for_rows(result.rows(), [&](Eigen::Index first, Eigen::Index n) {
-            result.middleRows(first, n).noalias() =
-                basis_.block(first, 0, n, size_) * coefficients.topRows(size_);
-        });
-        return result;
+        return times(basis_.leftCols(size_), coefficients.topRows(size_));
     }
 
   private:
@@ -110,9 +81,7 @@ class KrylovSpace {
     Eigen::MatrixXd without(Eigen::Index first, Eigen::MatrixXd& vectors) const {
         const Eigen::Index count = size_ - first;
         Eigen::MatrixXd components = transposed_times(basis_.middleCols(first, count), mass_ * vectors);
-        for_rows(vectors.rows(), [&](Eigen::Index row, Eigen::Index n) {
-            vectors.middleRows(row, n).noalias() -= basis_.block(row, first, n, count) * components;
-        });
+        vectors -= times(basis_.middleCols(first, count), components);
         return components;
     }
 
