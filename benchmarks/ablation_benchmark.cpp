@@ -253,7 +253,9 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
         if (is_reference) known = now;
     };
     const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius);
-    take(2, shared.candidates, [&] { now.maps = find_candidates(coarse, tuning.candidates); });
+    take(2, shared.candidates, [&] {
+        now.maps = vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates);
+    });
     take(3, shared.selection, [&] {
         now.maps = select(coarse, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
     });

@@ -123,9 +123,11 @@ struct Matched {
 Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
     const SpectralTuning tuning;
     const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
-    Matched result{select(coarse, find_candidates(coarse, tuning.candidates), tuning.selection.n_finalists,
-                          tuning.selection),
-                   {}};
+    Matched result{
+        select(coarse,
+               vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
+               tuning.selection.n_finalists, tuning.selection),
+        {}};
     const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_choice.cues.radius,
                           priors);
     choose_best(result.finalists, all, tuning.final_choice);

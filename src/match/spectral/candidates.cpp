@@ -62,14 +62,15 @@ struct Beginning {
 // Stage 2 in its order: starts, growth, sign flips.
 class CandidateSearch {
   public:
-    CandidateSearch(const SampledPair& pair, const CandidateTuning& tuning, const ProgressRange& progress)
-        : pair_(pair), tuning_(tuning), progress_(progress), distance_(pair) {}
+    CandidateSearch(const SampledPair& pair, const CandidateTuning& tuning, const ProgressRange& progress,
+                    std::vector<Candidate> known = {})
+        : pair_(pair), tuning_(tuning), progress_(progress), distance_(pair), candidates_(std::move(known)) {}
 
     void add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain);
     void add_reoriented();
     void add_extrinsic();
     void add_flipped();
-    std::vector<Candidate> best();
+    std::vector<Candidate> best(std::size_t count);
 
   private:
     Beginning begin(const PairedFunctionalMaps& start) const;
@@ -157,7 +158,6 @@ void CandidateSearch::add_reoriented() {
                     candidates_[i].maps.b_from_a[static_cast<std::size_t>(tips[e])])]);
     }
     add_from_anchors(anchors, false);
-    keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
 }
 
 void CandidateSearch::add_extrinsic() {
@@ -212,16 +212,16 @@ std::vector<Beginning> CandidateSearch::unknown(std::vector<Beginning> beginning
 }
 
 void CandidateSearch::add_flipped() {
-    keep_distinct(candidates_, distance_, tuning_.distinct, candidates_.size());
     for (int round = 0; round < tuning_.n_flip_rounds; ++round) {
-        progress_.reach(0.2 + 0.8 * round / tuning_.n_flip_rounds);
+        progress_.reach(static_cast<double>(round) / tuning_.n_flip_rounds);
         add_grown(unknown(flips()));
         keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
     }
 }
 
-std::vector<Candidate> CandidateSearch::best() {
-    if (candidates_.size() > tuning_.n_kept) candidates_.resize(tuning_.n_kept);
+// All of them different.
+std::vector<Candidate> CandidateSearch::best(std::size_t count) {
+    keep_distinct(candidates_, distance_, tuning_.distinct, count);
     return std::move(candidates_);
 }
 
@@ -242,14 +242,20 @@ std::vector<VertexPairs> anchors(const SampledPair& pair, const ExtremityTuning&
 
 }  // namespace
 
-std::vector<Candidate> find_candidates(const SampledPair& pair, const CandidateTuning& tuning,
-                                       const ProgressRange& progress) {
+std::vector<Candidate> start_candidates(const SampledPair& pair, const CandidateTuning& tuning,
+                                        const ProgressRange& progress) {
     CandidateSearch search(pair, tuning, progress);
     search.add_from_anchors(anchors(pair, tuning.extremities), true);
     if (tuning.extrinsic.enabled) search.add_extrinsic();
+    return search.best(tuning.n_pool);
+}
+
+std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,
+                                       const CandidateTuning& tuning, const ProgressRange& progress) {
+    CandidateSearch search(pair, tuning, progress, std::move(started));
     search.add_flipped();
     search.add_reoriented();
-    return search.best();
+    return search.best(tuning.n_kept);
 }
 
 }  // namespace counterpart::spectral_match

@@ -58,20 +58,31 @@ std::vector<Candidate> find_finalists(const PreparedShape& source, const Prepare
                                       const Priors& priors, const SpectralOptions& options,
                                       const SpectralTuning& tuning, const ProgressRange& progress,
                                       Stopwatch& watch) {
+    const std::size_t n_asked = static_cast<std::size_t>(options.n_alternatives) + 1,
+                      n_finalists = std::max(tuning.selection.n_finalists, n_asked);
     const SampledPair coarse(source, target, tuning.candidates.n_samples, tuning.candidates.rigidity_radius,
                              priors);
-    std::vector<Candidate> candidates = find_candidates(coarse, tuning.candidates, progress.part(0, 0.3));
+    std::vector<Candidate> candidates = start_candidates(coarse, tuning.candidates, progress.part(0, 0.1));
     watch.lap("candidates");
-    const std::size_t n_asked = static_cast<std::size_t>(options.n_alternatives) + 1;
-    candidates = select(coarse, std::move(candidates), std::max(tuning.selection.n_finalists, n_asked),
-                        tuning.selection, progress.part(0.3, 0.7));
+    std::vector<Candidate> finalists =
+        select_if_decided(coarse, candidates, n_finalists, tuning.selection, progress.part(0.1, 0.2));
     watch.lap("selection");
-    const SampledPair all(source, target, n_samples(source, target), tuning.final_choice.cues.radius, priors);
     FinalChoiceTuning choice = tuning.final_choice;
     choice.n_tried = std::max(choice.n_tried, n_asked);
-    choose_best(candidates, all, choice, progress.part(0.7, 1));
+    if (finalists.size() >= n_asked) {
+        choice.close_score = 0;  // what is decided needs no second look
+    } else {
+        candidates =
+            vary_candidates(coarse, std::move(candidates), tuning.candidates, progress.part(0.2, 0.4));
+        watch.lap("candidates");
+        finalists =
+            select(coarse, std::move(candidates), n_finalists, tuning.selection, progress.part(0.4, 0.7));
+        watch.lap("selection");
+    }
+    const SampledPair all(source, target, n_samples(source, target), tuning.final_choice.cues.radius, priors);
+    choose_best(finalists, all, choice, progress.part(0.7, 1));
     watch.lap("final choice");
-    return candidates;
+    return finalists;
 }
 
 // Between the full meshes.

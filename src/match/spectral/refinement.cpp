@@ -97,17 +97,26 @@ MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
     return all;
 }
 
+// A map between samples as one between vertices.
+PairedMaps on_vertices(const PreparedShape& a, const PreparedShape& b, const PairedMaps& on_samples,
+                       const ExtraCoordinates& features, const RefinementTuning& tuning,
+                       const ProgressRange& progress) {
+    const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
+    // Not among all functions: their details would pin dissimilar bodies where isometry put them.
+    const PairedFunctionalMaps functional =
+        fit_functional_maps(pair.points_a, pair.points_b, on_samples, tuning.first_match_size, tuning.masked);
+    return match_points_nearby(a, b, functional, spread(a, b, on_samples), tuning.first_rings, features,
+                               progress);
+}
+
 }  // namespace
 
 PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidate& start,
                   const VertexPairs& pins, const RefinementTuning& tuning, const ProgressRange& progress) {
-    const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
     const MatrixF features_a = features(a, tuning), features_b = features(b, tuning);
-    // Not among all functions: their details would pin dissimilar bodies where isometry put them.
-    PairedMaps maps = match_points_nearby(
-        a, b,
-        fit_functional_maps(pair.points_a, pair.points_b, start.maps, tuning.first_match_size, tuning.masked),
-        spread(a, b, start.maps), tuning.first_rings, {features_a, features_b}, progress);
+    const bool goes_on = !start.on_vertices.b_from_a.empty() && start.scores.drift < tuning.continued_drift;
+    PairedMaps maps = goes_on ? start.on_vertices
+                              : on_vertices(a, b, start.maps, {features_a, features_b}, tuning, progress);
     pin(maps, pins);
     const MatrixF own_a = placement(a.mesh.vertices, a.normals, tuning),
                   own_b = placement(b.mesh.vertices, b.normals, tuning);
@@ -123,7 +132,7 @@ PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidat
         progress.check();
         return true;
     };
-    for (int round = 0; round < n_rounds; ++round) {
+    for (int round = goes_on ? n_rounds / 2 : 0; round < n_rounds; ++round) {
         progress.reach((round + 1.0) / (n_rounds + 1.0));
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
         const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);

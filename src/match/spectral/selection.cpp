@@ -109,6 +109,53 @@ Candidate crossed(Candidate best, const std::vector<Candidate>& others, const Sa
     return best;
 }
 
+SampledPair on_middle_samples(const SampledPair& coarse, const SelectionTuning& tuning) {
+    return {coarse.a, coarse.b, tuning.n_samples, tuning.rigidity_radius, coarse.priors};
+}
+
+// 3a: the distinct ones on those samples.
+void grow_on(const SampledPair& middle, std::vector<Candidate>& candidates, std::size_t count,
+             const SelectionTuning& tuning, const ProgressRange& progress) {
+    grow_all(candidates, middle, tuning.sizes, false, tuning.sizes.back(), tuning.score, progress);
+    keep_distinct(candidates, MapDistance(middle), tuning.distinct, std::max(tuning.n_kept, count));
+}
+
+bool is_near_isometry(const std::vector<Candidate>& candidates, const SelectionTuning& tuning) {
+    return !candidates.empty() && candidates.front().scores.drift < tuning.least_crossed_drift;
+}
+
+// 3b: what crossing makes of a map may score better and be worse, so both stay.
+void add_crossed(std::vector<Candidate>& candidates, const SampledPair& coarse, const SampledPair& middle,
+                 const SelectionTuning& tuning, const ProgressRange& progress) {
+    const SampledPair few(coarse.a, coarse.b, tuning.n_sift_samples, tuning.sift_rigidity_radius,
+                          coarse.priors);
+    const std::size_t n_families = std::min(tuning.n_families, candidates.size());
+    const std::vector<Candidate> families(candidates.begin(),
+                                          candidates.begin() + static_cast<std::ptrdiff_t>(n_families));
+    const std::size_t n_crossed = std::min(tuning.n_crossed, n_families);
+    for (std::size_t i = 0; i < n_crossed; ++i) {
+        progress.reach(static_cast<double>(i) / static_cast<double>(n_crossed));
+        candidates.push_back(crossed(families[i], families, few, middle, tuning, progress));
+    }
+}
+
+// 3c: the finalists on all samples.
+std::vector<Candidate> grown_on_all(const SampledPair& coarse, std::vector<Candidate> candidates,
+                                    std::size_t count, const SelectionTuning& tuning,
+                                    const ProgressRange& progress) {
+    const PreparedShape &a = coarse.a, &b = coarse.b;
+    while (candidates.size() > tuning.n_least &&
+           candidates.back().scores.total < candidates.front().scores.total - tuning.max_behind)
+        candidates.pop_back();
+    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_rigidity_radius,
+                          coarse.priors);
+    grow_all(candidates, all, tuning.final_sizes, tuning.final_masked, tuning.final_scored_size,
+             tuning.final_score, progress);
+    // Grown further, some have become the same map.
+    keep_distinct(candidates, MapDistance(all), tuning.distinct_finalists, count);
+    return candidates;
+}
+
 }  // namespace
 
 std::vector<Candidate> crossovers(const SampledPair& pair, const Candidate& base, const Candidate& other,
@@ -130,35 +177,27 @@ std::vector<Candidate> crossovers(const SampledPair& pair, const Candidate& base
 
 std::vector<Candidate> select(const SampledPair& coarse, std::vector<Candidate> candidates, std::size_t count,
                               const SelectionTuning& tuning, const ProgressRange& progress) {
-    const PreparedShape &a = coarse.a, &b = coarse.b;
-    const Priors& priors = coarse.priors;
-    const SampledPair middle(a, b, tuning.n_samples, tuning.rigidity_radius, priors),
-        few(a, b, tuning.n_sift_samples, tuning.sift_rigidity_radius, priors);
-    grow_all(candidates, middle, tuning.sizes, false, tuning.sizes.back(), tuning.score, progress);
-    const MapDistance distance(middle);
-    keep_distinct(candidates, distance, tuning.distinct, std::max(tuning.n_kept, count));
-    const std::size_t n_families = std::min(tuning.n_families, candidates.size());
-    const std::vector<Candidate> families(candidates.begin(),
-                                          candidates.begin() + static_cast<std::ptrdiff_t>(n_families));
-    // What crossing makes of a map may score better and be worse, so both stay.
-    const bool is_near_isometry = candidates.front().scores.drift < tuning.least_crossed_drift;
-    const std::size_t n_crossed = is_near_isometry ? 0 : std::min(tuning.n_crossed, n_families);
-    for (std::size_t i = 0; i < n_crossed; ++i) {
-        progress.reach(0.3 + 0.4 * static_cast<double>(i) / static_cast<double>(n_crossed));
-        candidates.push_back(crossed(families[i], families, few, middle, tuning, progress));
-    }
-    keep_distinct(candidates, distance, tuning.distinct, std::max(tuning.n_kept, count));
-    while (candidates.size() > tuning.n_least &&
-           candidates.back().scores.total < candidates.front().scores.total - tuning.max_behind)
-        candidates.pop_back();
+    const SampledPair middle = on_middle_samples(coarse, tuning);
+    grow_on(middle, candidates, count, tuning, progress.part(0, 0.3));
+    if (!is_near_isometry(candidates, tuning))
+        add_crossed(candidates, coarse, middle, tuning, progress.part(0.3, 0.7));
+    keep_distinct(candidates, MapDistance(middle), tuning.distinct, std::max(tuning.n_kept, count));
     progress.reach(0.7);
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_rigidity_radius,
-                          priors);
-    grow_all(candidates, all, tuning.final_sizes, tuning.final_masked, tuning.final_scored_size,
-             tuning.final_score, progress);
-    // Grown further, some have become the same map.
-    keep_distinct(candidates, MapDistance(all), tuning.distinct_finalists, count);
-    return candidates;
+    return grown_on_all(coarse, std::move(candidates), count, tuning, progress);
+}
+
+std::vector<Candidate> select_if_decided(const SampledPair& coarse, std::vector<Candidate> candidates,
+                                         std::size_t count, const SelectionTuning& tuning,
+                                         const ProgressRange& progress) {
+    candidates.resize(std::min(candidates.size(), tuning.n_looked_at));
+    grow_on(on_middle_samples(coarse, tuning), candidates, count, tuning, progress);
+    if (!is_near_isometry(candidates, tuning)) return {};
+    candidates = grown_on_all(coarse, std::move(candidates), count, tuning, progress);
+    if (candidates.size() < 2) return {};
+    const Scores &best = candidates[0].scores, &next = candidates[1].scores;
+    const bool is_decided =
+        best.drift < tuning.decided_drift && best.total - next.total > tuning.decided_lead;
+    return is_decided ? std::move(candidates) : std::vector<Candidate>();
 }
 
 }  // namespace counterpart::spectral_match

@@ -11,6 +11,12 @@ namespace counterpart::spectral_match {
 std::vector<Candidate> select(const SampledPair& coarse, std::vector<Candidate> candidates, std::size_t count,
                               const SelectionTuning& tuning, const ProgressRange& progress = {});
 
+/// The same without crossing, if the best map is then right beyond doubt: nearly an isometry, and none of the
+/// others comes near its score. Else none.
+std::vector<Candidate> select_if_decided(const SampledPair& coarse, std::vector<Candidate> candidates,
+                                         std::size_t count, const SelectionTuning& tuning,
+                                         const ProgressRange& progress = {});
+
 /// Maps that follow `base` except on the limbs that `other` exchanges, turns or flips, one group of limbs at
 /// a time: what is right about the one and what is right about the other together. Between the samples of
 /// `pair`, which all maps must be between; not grown and without scores.

@@ -6,6 +6,7 @@
 
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -127,6 +128,22 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
     for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
         same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;
     EXPECT_GT(same, after.b_from_a.size() * 98 / 100);  // rounding
+}
+
+TEST(SpectralRefinement, GoesOnFromTheBriefOneOfANearIsometry) {
+    const PreparationOptions options{.n_functions = 60, .n_samples = 300};
+    const PreparedShape a = prepare(banana(0.1), options), b = prepare(banana(0.3), options);
+    const RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 4};
+    Candidate start;
+    start.maps = slid(a, b, 0.1);
+    start.on_vertices = refine(a, b, start, {}, {.first_match_size = 40, .last_size = 40, .n_rounds = 1});
+    // What is on the samples plays no part any more, unless the map is far from an isometry.
+    std::reverse(start.maps.b_from_a.begin(), start.maps.b_from_a.end());
+    std::reverse(start.maps.a_from_b.begin(), start.maps.a_from_b.end());
+    start.scores.drift = 0.5 * tuning.continued_drift;
+    EXPECT_LT(mean_distance_from_identity(b, refine(a, b, start, {}, tuning).b_from_a), 0.01);
+    start.scores.drift = 2 * tuning.continued_drift;
+    EXPECT_GT(mean_distance_from_identity(b, refine(a, b, start, {}, tuning).b_from_a), 0.1);
 }
 
 TEST(SpectralRefinement, PinsHoldAndTheSurfaceAroundThemFollows) {

@@ -103,6 +103,8 @@ struct SpectralSelection : testing::Test {
         return result;
     }
     Candidate best() const { return select(pair, wrong, 1, tuning, {}).front(); }
+
+    Candidate right() const { return exchanged({1, 1, 1}, {}); }
 };
 
 TEST_F(SpectralSelection, CrossesMapsUnlessTheBestIsNearlyAnIsometry) {
@@ -113,6 +115,27 @@ TEST_F(SpectralSelection, CrossesMapsUnlessTheBestIsNearlyAnIsometry) {
     const Candidate plain = best();
     EXPECT_GT(crossed.scores.total, taken.scores.total + 0.05);
     EXPECT_EQ(taken.maps.b_from_a, plain.maps.b_from_a);
+}
+
+TEST_F(SpectralSelection, IsDecidedByAnIsometryFarAhead) {
+    const std::vector<Candidate> known{wrong[0], right(), wrong[1]};
+    const std::vector<Candidate> decided = select_if_decided(pair, known, 8, tuning);
+    ASSERT_GE(decided.size(), 2U);
+    for (std::size_t s = 0; s < decided.front().maps.b_from_a.size(); ++s)
+        EXPECT_EQ(decided.front().maps.b_from_a[s], static_cast<Index>(s));
+    const std::vector<Candidate> selected = select(pair, known, 8, tuning);
+    EXPECT_EQ(decided.front().maps.b_from_a, selected.front().maps.b_from_a);
+    EXPECT_EQ(decided.front().scores.total, selected.front().scores.total);
+    tuning.n_looked_at = 1;  // one of the wrong ones
+    EXPECT_TRUE(select_if_decided(pair, known, 8, tuning).empty());
+}
+
+TEST_F(SpectralSelection, IsNotDecidedByWrongMapsACloseRaceOrOneMapAlone) {
+    EXPECT_TRUE(select_if_decided(pair, wrong, 8, tuning).empty());
+    EXPECT_TRUE(select_if_decided(pair, {right()}, 8, tuning).empty());
+    EXPECT_TRUE(select_if_decided(pair, {}, 8, tuning).empty());
+    tuning.decided_lead = 10;
+    EXPECT_TRUE(select_if_decided(pair, {right(), wrong[0]}, 8, tuning).empty());
 }
 
 }  // namespace
