@@ -13,6 +13,10 @@ DisguisedMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed) {
 
 TriangleMesh moved(const TriangleMesh& mesh, std::uint64_t seed) { return move_at_random(mesh, seed); }
 
+DisguisedMesh posed(const TriangleMesh& mesh) {
+    return shuffled(moved(deform(mesh, {.bend = 0.5, .twist = 0.3}), 4), 9);
+}
+
 TriangleMesh mirrored(const TriangleMesh& mesh) {
     TriangleMesh result = mesh;
     result.vertices.col(0) *= -1;

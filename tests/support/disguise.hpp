@@ -22,6 +22,9 @@ DisguisedMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed);
 /// Rotated at random, scaled by a factor in [0.5, 2], translated. No reflection.
 TriangleMesh moved(const TriangleMesh& mesh, std::uint64_t seed);
 
+/// In another pose, moved and shuffled.
+DisguisedMesh posed(const TriangleMesh& mesh);
+
 /// x -> -x with the winding reversed, so that the outside stays outside.
 TriangleMesh mirrored(const TriangleMesh& mesh);
 
