@@ -121,7 +121,9 @@ TEST(MatchVolume, OtherTetrahedraOfOneBentSolid) {
     const TriangleMesh surface = make_body({.subdivisions = 1});
     const TetrahedralMesh source = fill_with_tetrahedra(surface, 26);
     const TetrahedralMesh target = bent(fill_with_tetrahedra(surface, 30), 0.8);
-    const VolumeResult result = match_volume(source, target, {.method = MatchMethod::spectral});
+    const VolumeResult result = match_volume(
+        source, target,
+        {.method = MatchMethod::spectral, .spectral_shape = {.basis_size = 60, .n_samples = 200}});
     const Points truth = bent(source, 0.8).vertices;
     const std::vector<Index> on_surface = boundary(source).vertices;
     const auto error = [&](Index v) {
