@@ -259,18 +259,14 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     take(3, shared.selection, [&] {
         now.maps = select(coarse, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
     });
-    take(4, shared.final_choice, [&] {
-        choose_best(
-            now.maps,
-            SampledPair(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_choice.cues.radius),
-            tuning.final_choice);
-    });
+    const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
+    take(4, shared.final_choice, [&] { choose_best(now.maps, all, tuning.final_choice); });
     if (variant.first_stage < 5)
         for (const auto& known : shared.refinements)
             if (known.start == now.maps.front().maps.b_from_a)
                 return {known.error, now.seconds + known.seconds};
     const double start = processor_seconds();
-    const std::vector<Index> map = refine(a, b, now.maps.front(), {}, tuning.refinement).b_from_a;
+    const std::vector<Index> map = refine(all, now.maps.front(), tuning.refinement).b_from_a;
     const double seconds = processor_seconds() - start;
     const double error = mean_error(source, target, map);
     if (variant.first_stage < 5)

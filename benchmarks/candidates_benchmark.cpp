@@ -128,10 +128,9 @@ Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors&
                vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
                tuning.selection.n_finalists, tuning.selection),
         {}};
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_choice.cues.radius,
-                          priors);
+    const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
     choose_best(result.finalists, all, tuning.final_choice);
-    result.refined = refine(a, b, result.finalists.front(), priors.pins(), tuning.refinement);
+    result.refined = refine(all, result.finalists.front(), tuning.refinement);
     return result;
 }
 
@@ -143,8 +142,8 @@ double error_with_landmark(const Known& source, const Known& target, const Vecto
     const auto at = order.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(order.size()));
     std::nth_element(order.begin(), at, order.end(), [&](Index i, Index j) { return errors[i] < errors[j]; });
     const Index k = *at * step;
-    const Priors priors =
-        make_priors(source.shape, target.shape, {{source.matched_point(k), target.matched_point(k)}}, {});
+    const Priors priors = make_priors(source.shape, target.shape,
+                                      VertexPairs{{source.matched_point(k), target.matched_point(k)}}, {});
     const Matched found = match_with(source.shape, target.shape, priors);
     return errors_of(source, target, {&found.refined.b_from_a}).means[0];
 }
@@ -172,7 +171,7 @@ Json measure(const Pair& pair, const Known& source, const Known& target) {
                         {"residual", cues.residual},
                         {"wring", cues.wring}});
     }
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), 0);
+    const SampledPair all(a, b, all_samples, 0);
     Json line{
         {"source", pair.first},    {"target", pair.second},
         {"mean_error", errors[0]}, {"seconds", seconds},

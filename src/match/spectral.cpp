@@ -8,7 +8,6 @@
 #include <counterpart/match/spectral.hpp>
 
 #include <map>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -93,15 +92,8 @@ SpectralResult match_spectral(MeshView source, MeshView target, const SpectralOp
     require_valid(options, static_cast<std::size_t>(source.n_vertices()),
                   static_cast<std::size_t>(target.n_vertices()));
     return with_progress(options.progress, [&](const ProgressRange& progress) {
-        return with_threads(options.n_threads, [&] {
-            Stopwatch watch;
-            std::optional<PreparedShape> a, b;
-            const ProgressRange preparing = progress.part(0, 0.4);
-            parallel_invoke([&] { a = prepare(source, preparation, {}, preparing); },
-                            [&] { b = prepare(target, preparation, {}, preparing); });
-            watch.lap("prepare");
-            return match(*a, *b, options, {}, progress.part(0.4, 1), watch);
-        });
+        return with_threads(options.n_threads,
+                            [&] { return match(source, target, options, preparation, progress); });
     });
 }
 

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/fused.hpp"
 
-#include "base/parallel.hpp"
 #include "match/partial/tears.hpp"
 #include "match/spectral/pipeline.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
 #include <cmath>
-#include <optional>
 #include <utility>
 
 namespace counterpart::partial_match {
@@ -28,20 +26,13 @@ double share_moved(const Points& best, const Points& other, double distance) {
 
 PartialResult match_fused(MeshView source, MeshView target, const PartialOptions& options,
                           const PartialTuning& tuning, Stopwatch watch, const ProgressRange& progress) {
-    using spectral_match::PreparedShape;
-    std::optional<PreparedShape> a, b;
-    const spectral_match::PreparationOptions preparation{.n_samples = options.n_samples,
-                                                         .seed = options.seed};
-    const ProgressRange preparing = progress.part(0, 0.4);
-    parallel_invoke([&] { a = spectral_match::prepare(source, preparation, {}, preparing); },
-                    [&] { b = spectral_match::prepare(target, preparation, {}, preparing); });
-    watch.lap("prepare");
     SpectralOptions matching;
     matching.landmarks = options.landmarks;
     matching.soft_landmarks = options.soft_landmarks;
     matching.n_alternatives = options.n_alternatives;
-    SpectralResult found =
-        spectral_match::match(*a, *b, matching, {}, progress.part(0.4, 0.98), std::move(watch));
+    SpectralResult found = spectral_match::match(source, target, matching,
+                                                 {.n_samples = options.n_samples, .seed = options.seed},
+                                                 progress.part(0, 0.98), std::move(watch));
 
     PartialResult result;
     result.part = Part::neither;

@@ -25,15 +25,13 @@ double total_score(const Scores& selection, const Cues& cues, const CueTuning& t
 void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, const FinalChoiceTuning& tuning,
                  const ProgressRange& progress) {
     finalists.resize(std::min(finalists.size(), tuning.n_tried));
-    const VertexPairs pins = all.priors.pins();
     const double least = finalists.empty() ? 0 : finalists.front().scores.total - tuning.close_score;
     RefinementTuning none = tuning.refinement;
     none.n_rounds = none.n_rounds_if_huge = 0;
     parallel_for(finalists.size(), 1, [&](std::size_t i) {
         Candidate& finalist = finalists[i];
         const bool is_close = finalist.scores.total >= least;
-        finalist.on_vertices =
-            refine(all.a, all.b, finalist, pins, is_close ? tuning.refinement : none, progress);
+        finalist.on_vertices = refine(all, finalist, is_close ? tuning.refinement : none, progress);
         finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
         finalist.scores.total = total_score(finalist.scores, finalist.cues, tuning.cues);
     });

@@ -129,9 +129,14 @@ std::vector<Index> lifted(const FullSurface& from, const FullSurface& to, const 
 
 PairedMaps lift(const PreparedShape& a, const PreparedShape& b, const PairedMaps& maps,
                 const RefinementTuning& tuning, const ProgressRange& progress) {
+    if (!a.full && !b.full) return maps;
     const FullSurface on_a(a), on_b(b);
     return {lifted(on_a, on_b, maps.b_from_a, tuning, progress),
             lifted(on_b, on_a, maps.a_from_b, tuning, progress)};
+}
+
+Vector lift(const PreparedShape& shape, const Vector& values) {
+    return shape.full ? Vector(values(shape.full->cell_of_vertex)) : values;
 }
 
 }  // namespace counterpart::spectral_match

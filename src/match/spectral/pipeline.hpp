@@ -17,4 +17,9 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
                      const SpectralTuning& tuning = {}, const ProgressRange& progress = {},
                      Stopwatch watch = {});
 
+/// All stages between two meshes, which are prepared at the same time.
+SpectralResult match(MeshView source, MeshView target, const SpectralOptions& options,
+                     const PreparationOptions& preparation, const ProgressRange& progress = {},
+                     Stopwatch watch = {});
+
 }  // namespace counterpart::spectral_match

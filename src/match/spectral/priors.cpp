@@ -31,6 +31,26 @@ std::vector<PriorPair> with_distances(const PreparedShape& a, const PreparedShap
     return result;
 }
 
+// Input vertices as those that are matched.
+VertexPairs matched(VertexPairs pairs, const PreparedShape& a, const PreparedShape& b) {
+    for (auto& [va, vb] : pairs) {
+        va = a.vertex_of_input(va);
+        vb = b.vertex_of_input(vb);
+    }
+    return pairs;
+}
+
+Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
+    if (options.aligned) return Eigen::Matrix3d::Identity();
+    Eigen::Matrix3Xd directions(3, 0);
+    for (const Eigen::Vector3d& direction : {options.up, options.facing}) {
+        if (direction.isZero(0)) continue;
+        directions.conservativeResize(3, directions.cols() + 1);
+        directions.rightCols(1) = direction.normalized();
+    }
+    return directions;
+}
+
 // How far from the one end of the pair the map takes the sample that is nearest to the other end.
 double image_distance(const PreparedShape& from, const VectorF& near_end, const PreparedShape& to,
                       const VectorF& far_end, const std::vector<Index>& map) {
@@ -79,6 +99,15 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
     return {.landmarks = with_distances(a, b, landmarks), .excluded = with_distances(a, b, excluded)};
 }
 
+Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
+                   const PriorTuning& tuning) {
+    Priors priors = make_priors(a, b, matched(options.landmarks, a, b), matched(options.excluded, a, b));
+    priors.directions = common_directions(options);
+    priors.pinned = !options.soft_landmarks;
+    priors.tuning = tuning;
+    return priors;
+}
+
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
                     const PairedMaps& maps) {
     const PriorTuning& tuning = priors.tuning;
@@ -91,13 +120,6 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
     if (priors.directions.cols() > 0)
         result -= tuning.direction_weight * agreement_of_directions(a, b, priors.directions, maps.b_from_a);
     return result;
-}
-
-void pin(PairedMaps& maps, const VertexPairs& pins) {
-    for (const auto& [va, vb] : pins) {
-        maps.b_from_a[static_cast<std::size_t>(va)] = vb;
-        maps.a_from_b[static_cast<std::size_t>(vb)] = va;
-    }
 }
 
 }  // namespace counterpart::spectral_match

@@ -6,6 +6,8 @@
 
 #include "match/spectral/prepared_shape.hpp"
 
+#include <counterpart/match/spectral.hpp>
+
 #include <utility>
 #include <vector>
 
@@ -34,16 +36,18 @@ struct Priors {
 
 inline const Priors nothing_known;
 
+/// Pairs of vertices that are matched.
 Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexPairs& landmarks,
                    const VertexPairs& excluded);
+
+/// What the options say, of input vertices.
+Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
+                   const PriorTuning& tuning);
 
 /// To be taken off the score of maps between the first samples: distances between landmarks and their images,
 /// excluded pairs that are near each other under the map, coordinates along the common directions that do not
 /// agree.
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
                     const PairedMaps& maps);
-
-/// The maps with the given vertices taken to each other.
-void pin(PairedMaps& maps, const VertexPairs& pins);
 
 }  // namespace counterpart::spectral_match

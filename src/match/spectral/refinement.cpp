@@ -91,33 +91,38 @@ class BentSurface {
     Points positions_;
 };
 
+PairedMaps pinned(PairedMaps maps, const VertexPairs& pins) {
+    for (const auto& [va, vb] : pins) {
+        maps.b_from_a[static_cast<std::size_t>(va)] = vb;
+        maps.a_from_b[static_cast<std::size_t>(vb)] = va;
+    }
+    return maps;
+}
+
 MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
     MatrixF all(x.rows(), x.cols() + y.cols() + z.cols());
     all << x, y, z;
     return all;
 }
 
-// A map between samples as one between vertices.
-PairedMaps on_vertices(const PreparedShape& a, const PreparedShape& b, const PairedMaps& on_samples,
-                       const ExtraCoordinates& features, const RefinementTuning& tuning,
-                       const ProgressRange& progress) {
-    const SampledPair pair(a, b, std::max(a.samples.size(), b.samples.size()), 0);
-    // Not among all functions: their details would pin dissimilar bodies where isometry put them.
-    const PairedFunctionalMaps functional =
-        fit_functional_maps(pair.points_a, pair.points_b, on_samples, tuning.first_match_size, tuning.masked);
-    return match_points_nearby(a, b, functional, spread(a, b, on_samples), tuning.first_rings, features,
-                               progress);
-}
-
 }  // namespace
 
-PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidate& start,
-                  const VertexPairs& pins, const RefinementTuning& tuning, const ProgressRange& progress) {
+PairedMaps refine(const SampledPair& all, const Candidate& start, const RefinementTuning& tuning,
+                  const ProgressRange& progress) {
+    const PreparedShape &a = all.a, &b = all.b;
+    const VertexPairs pins = all.priors.pins();
     const MatrixF features_a = features(a, tuning), features_b = features(b, tuning);
+    const auto partners = [&](const PairedFunctionalMaps& functional, const PairedMaps& guess, int rings,
+                              const ExtraCoordinates& extra) {
+        return pinned(match_points_nearby(a, b, functional, guess, rings, extra, progress), pins);
+    };
     const bool goes_on = !start.on_vertices.b_from_a.empty() && start.scores.drift < tuning.continued_drift;
-    PairedMaps maps = goes_on ? start.on_vertices
-                              : on_vertices(a, b, start.maps, {features_a, features_b}, tuning, progress);
-    pin(maps, pins);
+    // Not among all functions: their details would pin dissimilar bodies where isometry put them.
+    PairedMaps maps = goes_on
+                          ? start.on_vertices
+                          : partners(fit_functional_maps(all.points_a, all.points_b, start.maps,
+                                                         tuning.first_match_size, tuning.masked),
+                                     spread(a, b, start.maps), tuning.first_rings, {features_a, features_b});
     const MatrixF own_a = placement(a.mesh.vertices, a.normals, tuning),
                   own_b = placement(b.mesh.vertices, b.normals, tuning);
     std::vector<Index> pinned_a, pinned_b;
@@ -142,13 +147,10 @@ PairedMaps refine(const PreparedShape& a, const PreparedShape& b, const Candidat
                             [&] { bent_b.put_back_islands(maps.a_from_b, length, progress); });
         parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
                         [&] { bent_b.bend(maps.a_from_b, length, progress); });
-        const PairedFunctionalMaps functional =
-            fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking);
-        maps = match_points_nearby(a, b, functional, maps, tuning.rings,
-                                   {side_by_side(features_a, bent_a.placement(), own_a),
-                                    side_by_side(features_b, own_b, bent_b.placement())},
-                                   progress);
-        pin(maps, pins);
+        maps =
+            partners(fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking), maps, tuning.rings,
+                     {side_by_side(features_a, bent_a.placement(), own_a),
+                      side_by_side(features_b, own_b, bent_b.placement())});
     }
     return maps;
 }

@@ -6,6 +6,8 @@
 
 #include "match/spectral/priors.hpp"
 
+#include <limits>
+
 namespace counterpart::spectral_match {
 
 using namespace numerics;
@@ -19,7 +21,10 @@ struct Neighborhoods {
     Neighborhoods(const PreparedShape& shape, std::size_t n, double radius);
 };
 
-/// Both shapes on their first n samples, with neighborhoods on which maps should be rigid.
+constexpr auto all_samples = std::numeric_limits<std::size_t>::max();
+
+/// Both shapes on their first n samples, with neighborhoods on which maps should be rigid, and what is known
+/// of the map between them.
 struct SampledPair {
     const PreparedShape& a;
     const PreparedShape& b;

@@ -143,12 +143,10 @@ void add_crossed(std::vector<Candidate>& candidates, const SampledPair& coarse, 
 std::vector<Candidate> grown_on_all(const SampledPair& coarse, std::vector<Candidate> candidates,
                                     std::size_t count, const SelectionTuning& tuning,
                                     const ProgressRange& progress) {
-    const PreparedShape &a = coarse.a, &b = coarse.b;
     while (candidates.size() > tuning.n_least &&
            candidates.back().scores.total < candidates.front().scores.total - tuning.max_behind)
         candidates.pop_back();
-    const SampledPair all(a, b, std::max(a.samples.size(), b.samples.size()), tuning.final_rigidity_radius,
-                          coarse.priors);
+    const SampledPair all(coarse.a, coarse.b, all_samples, tuning.final_rigidity_radius, coarse.priors);
     grow_all(candidates, all, tuning.final_sizes, tuning.final_masked, tuning.final_scored_size,
              tuning.final_score, progress);
     // Grown further, some have become the same map.

@@ -119,11 +119,11 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
     const RefinementTuning tuning{.first_match_size = 40, .last_size = 100, .n_rounds = 4};
     Candidate start;
     start.maps = slid(a, b, 0.1);
-    const PairedMaps before = spread(a, b, start.maps), after = refine(a, b, start, {}, tuning);
+    const PairedMaps before = spread(a, b, start.maps), after = refine({a, b, all_samples, 0}, start, tuning);
     EXPECT_LT(mean_distance_from_identity(b, after.b_from_a),
               0.4 * mean_distance_from_identity(b, before.b_from_a));
     std::swap(start.maps.b_from_a, start.maps.a_from_b);
-    const PairedMaps swapped = refine(b, a, start, {}, tuning);
+    const PairedMaps swapped = refine({b, a, all_samples, 0}, start, tuning);
     std::size_t same = 0;
     for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
         same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;
@@ -136,14 +136,15 @@ TEST(SpectralRefinement, GoesOnFromTheBriefOneOfANearIsometry) {
     const RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 4};
     Candidate start;
     start.maps = slid(a, b, 0.1);
-    start.on_vertices = refine(a, b, start, {}, {.first_match_size = 40, .last_size = 40, .n_rounds = 1});
+    start.on_vertices =
+        refine({a, b, all_samples, 0}, start, {.first_match_size = 40, .last_size = 40, .n_rounds = 1});
     // What is on the samples plays no part any more, unless the map is far from an isometry.
     std::reverse(start.maps.b_from_a.begin(), start.maps.b_from_a.end());
     std::reverse(start.maps.a_from_b.begin(), start.maps.a_from_b.end());
     start.scores.drift = 0.5 * tuning.continued_drift;
-    EXPECT_LT(mean_distance_from_identity(b, refine(a, b, start, {}, tuning).b_from_a), 0.01);
+    EXPECT_LT(mean_distance_from_identity(b, refine({a, b, all_samples, 0}, start, tuning).b_from_a), 0.01);
     start.scores.drift = 2 * tuning.continued_drift;
-    EXPECT_GT(mean_distance_from_identity(b, refine(a, b, start, {}, tuning).b_from_a), 0.1);
+    EXPECT_GT(mean_distance_from_identity(b, refine({a, b, all_samples, 0}, start, tuning).b_from_a), 0.1);
 }
 
 TEST(SpectralRefinement, PinsHoldAndTheSurfaceAroundThemFollows) {
@@ -152,8 +153,8 @@ TEST(SpectralRefinement, PinsHoldAndTheSurfaceAroundThemFollows) {
     const RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 2};
     Candidate start;
     start.maps = slid(a, b, 0.05);
-    const VertexPairs pins{{7, 12}};
-    const PairedMaps maps = refine(a, b, start, pins, tuning);
+    const Priors known = make_priors(a, b, VertexPairs{{7, 12}}, {});
+    const PairedMaps maps = refine({a, b, all_samples, 0, known}, start, tuning);
     EXPECT_EQ(maps.b_from_a[7], 12);
     EXPECT_EQ(maps.a_from_b[12], 7);
 }
