@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
-#include "match/common_part/edits.hpp"
-#include "match/common_part/growth.hpp"
-#include "match/common_part/regrowth.hpp"
-#include "match/common_part/triangle_pairs.hpp"
-#include "match/common_part/verification.hpp"
+#include "match/differences/edits.hpp"
+#include "match/differences/growth.hpp"
+#include "match/differences/regrowth.hpp"
+#include "match/differences/triangle_pairs.hpp"
+#include "match/differences/verification.hpp"
 #include "match/symmetry/choice.hpp"
 
 #include <counterpart/match/differences.hpp>
@@ -18,7 +18,7 @@ namespace counterpart {
 namespace {
 
 using namespace isomorphism;
-using common_part::DartPair;
+using differences::DartPair;
 
 // Components that both meshes have whole: geometry says which of several equal ones is missing.
 std::vector<DartPair> match_equal_components(MeshView source, MeshView target, const DartMap& a,
@@ -47,8 +47,8 @@ SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, 
                             const Progress& progress) {
     const std::vector<DartPair> equal = match_equal_components(source, target, a, b);
     report_progress(progress, 0.2);
-    const common_part::PairSide source_side(source, a), target_side(target, b);
-    const common_part::PartialMatch match = common_part::grow_from_seeds(
+    const differences::PairSide source_side(source, a), target_side(target, b);
+    const differences::PartialMatch match = differences::grow_from_seeds(
         source_side, target_side, equal, [&] { report_progress(progress, 0.3); });
     report_progress(progress, 0.6);
 
@@ -58,11 +58,11 @@ SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, 
     std::vector<bool> known(to_size(source.n_triangles()), false);
     for (const auto& [d, e] : equal) known[to_size(a.input_triangle[to_size(triangle_of(d))])] = true;
 
-    common_part::Prediction prediction(source, target, match.reversed);
-    const std::vector<Index> partner = common_part::match_triangles(source, target, map);
-    map = common_part::without_misplaced(a, source, target, map, partner, known, prediction);
+    differences::Prediction prediction(source, target, match.reversed);
+    const std::vector<Index> partner = differences::match_triangles(source, target, map);
+    map = differences::without_misplaced(a, source, target, map, partner, known, prediction);
     report_progress(progress, 0.7);
-    map = common_part::regrown(source_side, target_side, std::move(map), prediction,
+    map = differences::regrown(source_side, target_side, std::move(map), prediction,
                                [&] { report_progress(progress, 0.8); });
     return {std::move(map), match.reversed, match.ambiguous};
 }
@@ -133,15 +133,15 @@ MeshDifferences find(MeshView source, MeshView target, const Progress& progress)
     differences.is_ambiguous = shared.ambiguous;
     differences.target_from_source = VertexMap(std::move(shared.image), target.n_vertices());
     const std::vector<Index> partner =
-        common_part::match_triangles(source, target, differences.target_from_source.image());
+        differences::match_triangles(source, target, differences.target_from_source.image());
     differences.uncertain =
         shared.ambiguous
             ? matched_vertices(differences.target_from_source)
-            : common_part::weakly_supported(source, target, partner, differences.target_from_source.image());
+            : differences::weakly_supported(source, target, partner, differences.target_from_source.image());
     list_unmatched(source, target, partner, differences);
-    const auto regions = common_part::matched_regions(a, partner);
+    const auto regions = differences::matched_regions(a, partner);
     if (!regions.empty()) differences.largest_region = static_cast<Index>(regions[0].size());
-    differences.edits = common_part::find_edits(source, target, differences);
+    differences.edits = differences::find_edits(source, target, differences);
     differences.summary = summarize(source, target, differences);
     report_progress(progress, 1);
     return differences;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/beyond.hpp"
-#include "match/common_part/sure_pairs.hpp"
+#include "match/differences/beyond.hpp"
+#include "match/differences/sure_pairs.hpp"
 #include "match/partial/roles.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -117,7 +117,7 @@ class Matching {
         if (share < options_.min_shared) {
             // What a person says goes before what connectivity shows.
             const bool is_free = options_.spectral.excluded.empty() && options_.partial.landmarks.empty();
-            if (share >= least_kept_share && is_free) sure_ = common_part::sure_images(shared);
+            if (share >= least_kept_share && is_free) sure_ = differences::sure_images(shared);
             return false;
         }
         reason_ = less_shared < options_.min_shared
@@ -125,7 +125,7 @@ class Matching {
                       : "the meshes have nearly the same connectivity: ";
         reason_ += shared.summary;
         take_shared();
-        fill_gaps(is_part ? common_part::beyond_target(shared.target_from_source, source_, target_)
+        fill_gaps(is_part ? differences::beyond_target(shared.target_from_source, source_, target_)
                           : std::vector<char>(static_cast<std::size_t>(source_.n_vertices()), 0));
         return true;
     }
@@ -166,13 +166,13 @@ class Matching {
 
     // Of what connectivity is sure of.
     std::vector<std::pair<Index, Index>> leading_pairs() const {
-        return common_part::spread_pairs(sure_, source_, n_leading_pairs);
+        return differences::spread_pairs(sure_, source_, n_leading_pairs);
     }
 
     template <class Found>
     void keep_sure(Found& found) {
         if (sure_.empty()) return;
-        common_part::keep(sure_, found.target_from_source, found.source_from_target, found.confidence);
+        differences::keep(sure_, found.target_from_source, found.source_from_target, found.confidence);
         const Index n_open = static_cast<Index>(std::count(sure_.begin(), sure_.end(), VertexMap::unmatched));
         reason_ +=
             fmt::format("; connectivity shows the partners of {} of the {} source vertices: these are kept",

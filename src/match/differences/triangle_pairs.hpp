@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// The target triangle of each source triangle, each at most once; -1 if there is none. O(F log F).
 std::vector<Index> match_triangles(MeshView source, MeshView target, const std::vector<Index>& map);
@@ -30,4 +30,4 @@ std::vector<Index> valences(MeshView mesh);
 std::vector<std::vector<Index>> triangles_at_vertices(MeshView mesh);
 std::vector<std::array<Index, 3>> sorted_faces(MeshView mesh);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

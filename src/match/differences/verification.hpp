@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/common_part/prediction.hpp"
+#include "match/differences/prediction.hpp"
 #include "match/isomorphism/dart_map.hpp"
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// The map without what chance explains and without what lies in the wrong place.
 ///
 /// Matched triangles fall into regions that hang together over edges. The largest first, a region is kept if
 /// it lies where the regions kept before, near it, expect it; where there are none, if its irregular vertices
 /// tell where it belongs: the information in them, -log2 of the frequency of each valence but the commonest,
-/// exceeds by PartialTuning::significance bits what it takes to choose one of all placements, or if it is
+/// exceeds by DifferenceTuning::significance bits what it takes to choose one of all placements, or if it is
 /// half of a mesh. Then single vertices at differences go whose neighbors expect them elsewhere.
 ///
 /// `partner`: the target triangle of each source triangle or -1; triangles in `known` are kept without
@@ -22,4 +22,4 @@ std::vector<Index> without_misplaced(const isomorphism::DartMap& source, MeshVie
                                      const std::vector<Index>& partner, const std::vector<bool>& known,
                                      Prediction& prediction);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using isomorphism::Color;
 using isomorphism::Dart;
@@ -25,7 +25,7 @@ struct OpenPart {
 };
 
 /// Pairs of open darts whose color occurs once on either side; or, if `shared`, all pairs for the colors with
-/// the fewest, up to PartialTuning::max_rare. `parity`: 1 if the surfaces are wound against each other. Of
+/// the fewest, up to DifferenceTuning::max_rare. `parity`: 1 if the surfaces are wound against each other. Of
 /// more than `max_darts` open ones, some are looked at, picked by color. O(F log F).
 std::vector<DartPair> find_seeds(const OpenPart& source, const OpenPart& target, unsigned parity, bool shared,
                                  std::size_t max_darts);
@@ -34,4 +34,4 @@ std::vector<DartPair> find_seeds(const OpenPart& source, const OpenPart& target,
 /// as it must. Else none.
 std::vector<DartPair> surroundings(const DartMap& a, const DartMap& b, DartPair seed);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/prediction.hpp"
+#include "match/differences/prediction.hpp"
 
-#include "match/common_part/tuning.hpp"
+#include "match/differences/tuning.hpp"
 #include "match/isomorphism/dart_map.hpp"
 #include "match/symmetry/alignment.hpp"
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using isomorphism::to_size;
 
@@ -56,4 +56,4 @@ std::optional<double> Prediction::offset(Index v, Index image, const std::vector
     return (target_.vertices.row(image) - here->position).norm() / here->edge_length;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/triangle_pairs.hpp"
+#include "match/differences/triangle_pairs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using namespace isomorphism;
 
@@ -107,4 +107,4 @@ std::vector<std::array<Index, 3>> sorted_faces(MeshView mesh) {
     return faces;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

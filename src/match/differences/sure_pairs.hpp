@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// The matched vertices that are not uncertain: partners by source vertex, -1 for the others.
 std::vector<Index> sure_images(const MeshDifferences& shared);
@@ -23,4 +23,4 @@ std::vector<std::pair<Index, Index>> spread_pairs(const std::vector<Index>& sure
 void keep(const std::vector<Index>& sure, VertexMap& target_from_source, VertexMap& source_from_target,
           Vector& confidence);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

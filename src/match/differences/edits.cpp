@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/edits.hpp"
+#include "match/differences/edits.hpp"
 
 #include "match/isomorphism/dart_map.hpp"
 #include "mesh/disjoint_sets.hpp"
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using isomorphism::to_size;
 
@@ -160,4 +160,4 @@ std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDiffere
     return edits;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -6,10 +6,10 @@
 
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// Groups the triangles without counterpart that share edges, across both meshes, and says what each group
 /// looks like. `differences` holds the map and the lists of what is unmatched.
 std::vector<Edit> find_edits(MeshView source, MeshView target, const MeshDifferences& differences);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

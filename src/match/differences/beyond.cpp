@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/beyond.hpp"
+#include "match/differences/beyond.hpp"
 
 #include "mesh/edge_table.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 namespace {
 
 std::vector<char> on_boundary(MeshView mesh) {
@@ -43,4 +43,4 @@ std::vector<char> beyond_target(const VertexMap& target_from_source, MeshView so
     return beyond;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

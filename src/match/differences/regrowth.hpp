@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/common_part/growth.hpp"
-#include "match/common_part/prediction.hpp"
+#include "match/differences/growth.hpp"
+#include "match/differences/prediction.hpp"
 
 #include <functional>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// Goes on from the border of what is matched, layer by layer: an unmatched vertex takes the free target
 /// vertex, of those within two edges of the images of its neighbors, that lies closest to where its anchors
@@ -16,4 +16,4 @@ namespace counterpart::common_part {
 std::vector<Index> regrown(const PairSide& source, const PairSide& target, std::vector<Index> map,
                            Prediction& prediction, const std::function<void()>& report);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

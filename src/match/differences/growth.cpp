@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/growth.hpp"
+#include "match/differences/growth.hpp"
 
-#include "match/common_part/tuning.hpp"
+#include "match/differences/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using namespace isomorphism;
 
@@ -335,4 +335,4 @@ PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
     return reversed.n_matched() > 2 * straight.n_matched() ? other : match;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

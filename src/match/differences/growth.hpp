@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/common_part/seeding.hpp"
+#include "match/differences/seeding.hpp"
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// One of the two meshes.
 struct PairSide {
@@ -115,4 +115,4 @@ struct PartialMatch {
 PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
                              const std::vector<DartPair>& settled, const std::function<void()>& report);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

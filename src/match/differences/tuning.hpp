@@ -7,9 +7,9 @@
 #include <array>
 #include <cstddef>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
-struct PartialTuning {
+struct DifferenceTuning {
     // ---- seeds ----
     /// Edges that colors see: wide ones first, because an accident of an edit is the least likely there; the
     /// widest where a regular mesh has nothing unique nearer by.
@@ -73,6 +73,6 @@ struct PartialTuning {
     /// Vertices of a region that are asked.
     std::size_t region_sample = 32;
 };
-inline constexpr PartialTuning tuning;
+inline constexpr DifferenceTuning tuning;
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/seeding.hpp"
+#include "match/differences/seeding.hpp"
 
-#include "match/common_part/tuning.hpp"
+#include "match/differences/tuning.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <unordered_map>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using namespace isomorphism;
 
@@ -115,4 +115,4 @@ std::vector<DartPair> surroundings(const DartMap& a, const DartMap& b, DartPair 
     return queue;
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -7,11 +7,11 @@
 
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// Marks the source vertices that are unmatched because the target ends there: those of connected groups of
 /// unmatched vertices with a neighbor that is not on the source's boundary while its image is on the
 /// target's. One mark for each vertex. O(V + F log F).
 std::vector<char> beyond_target(const VertexMap& target_from_source, MeshView source, MeshView target);
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/sure_pairs.hpp"
+#include "match/differences/sure_pairs.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 std::vector<Index> sure_images(const MeshDifferences& shared) {
     std::vector<Index> images = shared.target_from_source.image();
@@ -34,4 +34,4 @@ void keep(const std::vector<Index>& sure, VertexMap& target_from_source, VertexM
     source_from_target = VertexMap(std::move(back), source_from_target.target_size());
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/regrowth.hpp"
+#include "match/differences/regrowth.hpp"
 
-#include "match/common_part/triangle_pairs.hpp"
-#include "match/common_part/tuning.hpp"
+#include "match/differences/triangle_pairs.hpp"
+#include "match/differences/tuning.hpp"
 
 #include <algorithm>
 #include <tuple>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using isomorphism::to_size;
 
@@ -171,4 +171,4 @@ std::vector<Index> regrown(const PairSide& source, const PairSide& target, std::
     return Regrowth(source, target, std::move(map), prediction).run(report);
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/common_part/verification.hpp"
+#include "match/differences/verification.hpp"
 
-#include "match/common_part/growth.hpp"
-#include "match/common_part/triangle_pairs.hpp"
-#include "match/common_part/tuning.hpp"
+#include "match/differences/growth.hpp"
+#include "match/differences/triangle_pairs.hpp"
+#include "match/differences/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 using namespace isomorphism;
 
@@ -171,4 +171,4 @@ std::vector<Index> without_misplaced(const DartMap& source, MeshView source_mesh
     return verifier.without_single();
 }
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace counterpart::common_part {
+namespace counterpart::differences {
 
 /// Where the matched vertices around a vertex (its anchors) expect its image: by the similarity that fits
 /// them best, the nearer the more.
@@ -42,4 +42,4 @@ class Prediction {
     std::vector<Index> queue_;
 };
 
-}  // namespace counterpart::common_part
+}  // namespace counterpart::differences
