@@ -48,7 +48,7 @@ SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, 
     const std::vector<DartPair> equal = match_equal_components(source, target, a, b);
     report_progress(progress, 0.2);
     const differences::PairSide source_side(source, a), target_side(target, b);
-    const differences::PartialMatch match = differences::grow_from_seeds(
+    const differences::GrownMatch match = differences::grow_from_seeds(
         source_side, target_side, equal, [&] { report_progress(progress, 0.3); });
     report_progress(progress, 0.6);
 

@@ -207,7 +207,7 @@ class Grower {
         growth_.measure_lengths(settled);
     }
 
-    PartialMatch run() {
+    GrownMatch run() {
         for (const int radius : tuning.radii) grow_from_unique(radius);
         // A regular mesh whose few irregular vertices lie far apart; then one that looks alike in several
         // places.
@@ -321,17 +321,17 @@ class Grower {
 
 }  // namespace
 
-PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
-                             const std::vector<DartPair>& settled, const std::function<void()>& report) {
+GrownMatch grow_from_seeds(const PairSide& source, const PairSide& target,
+                           const std::vector<DartPair>& settled, const std::function<void()>& report) {
     Grower straight(source, target, settled, 0, report);
     const std::size_t n_open = straight.n_open();
     if (n_open == 0) return straight.run();
-    PartialMatch match = straight.run();
+    GrownMatch match = straight.run();
     // The other way round is worth a try only if this one found little, and believed only if it finds far
     // more: a body is nearly its own mirror image.
     if (2 * straight.n_matched() >= n_open) return match;
     Grower reversed(source, target, settled, 1, report);
-    PartialMatch other = reversed.run();
+    GrownMatch other = reversed.run();
     return reversed.n_matched() > 2 * straight.n_matched() ? other : match;
 }
 

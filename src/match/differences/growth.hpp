@@ -104,7 +104,7 @@ class Growth {
     std::vector<Index> accepted_;  // source vertices
 };
 
-struct PartialMatch {
+struct GrownMatch {
     std::vector<Index> image;  ///< local target vertex of each local source vertex, or -1
     bool reversed = false;     ///< the surfaces are wound against each other
     bool ambiguous = false;    ///< another way to match had nearly as much evidence as a whole
@@ -112,7 +112,7 @@ struct PartialMatch {
 
 /// Grows from every trusted seed. `settled`: triangles that correspond already. `report` is called between
 /// steps.
-PartialMatch grow_from_seeds(const PairSide& source, const PairSide& target,
-                             const std::vector<DartPair>& settled, const std::function<void()>& report);
+GrownMatch grow_from_seeds(const PairSide& source, const PairSide& target,
+                           const std::vector<DartPair>& settled, const std::function<void()>& report);
 
 }  // namespace counterpart::differences
