@@ -123,6 +123,9 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                           : partners(fit_functional_maps(all.points_a, all.points_b, start.maps,
                                                          tuning.first_match_size, tuning.masked),
                                      spread(a, b, start.maps), tuning.first_rings, {features_a, features_b});
+    const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > tuning.huge_mesh;
+    const int n_rounds = is_huge ? tuning.n_rounds_if_huge : tuning.n_rounds;
+    if (n_rounds == 0) return maps;
     const MatrixF own_a = placement(a.mesh.vertices, a.normals, tuning),
                   own_b = placement(b.mesh.vertices, b.normals, tuning);
     std::vector<Index> pinned_a, pinned_b;
@@ -131,13 +134,12 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
         pinned_b.push_back(vb);
     }
     BentSurface bent_a(a, b, pinned_a, tuning), bent_b(b, a, pinned_b, tuning);
-    const bool is_huge = std::max(a.mesh.n_vertices(), b.mesh.n_vertices()) > tuning.huge_mesh;
-    const int n_rounds = is_huge ? tuning.n_rounds_if_huge : tuning.n_rounds;
     const Progress checking = [&](double) {
         progress.check();
         return true;
     };
-    for (int round = goes_on ? n_rounds / 2 : 0; round < n_rounds; ++round) {
+    for (int round = goes_on ? std::max(0, n_rounds - tuning.n_continued_rounds) : 0; round < n_rounds;
+         ++round) {
         progress.reach((round + 1.0) / (n_rounds + 1.0));
         const double t = n_rounds > 1 ? static_cast<double>(round) / (n_rounds - 1) : 1;
         const double length = tuning.first_length * std::pow(tuning.last_length / tuning.first_length, t);
