@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/cues.hpp"
+#include "match/spectral/half_turn_cues.hpp"
 #include "match/spectral/scores.hpp"
 
 namespace counterpart::spectral_match {

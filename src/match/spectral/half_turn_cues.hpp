@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What tells a right map from a wrong one once both are refined: a map must fit before fine relief can speak.
+// What tells a right map from one that is turned half round or exchanges limbs, once both are refined: a map
+// must fit before fine relief can speak.
 #pragma once
 
 #include "match/spectral/scores.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/cues.hpp"
+#include "match/spectral/half_turn_cues.hpp"
 
 #include "numerics/rotation.hpp"
 
