@@ -151,6 +151,7 @@ Machine this_machine() { return {dot_products_4, combinations_4}; }
 }  // namespace
 
 Eigen::MatrixXd transposed_times(const TallMatrix& a, const Eigen::MatrixXd& b) {
+    if (a.size() == 0 || b.size() == 0) return Eigen::MatrixXd::Zero(a.cols(), b.cols());
     const Machine machine = this_machine();
     const Groups groups(b);
     Eigen::MatrixXd result(a.cols(), b.cols());
@@ -169,6 +170,7 @@ Eigen::MatrixXd transposed_times(const TallMatrix& a, const Eigen::MatrixXd& b) 
 }
 
 Eigen::MatrixXd times(const TallMatrix& a, const Eigen::MatrixXd& b) {
+    if (a.size() == 0 || b.size() == 0) return Eigen::MatrixXd::Zero(a.rows(), b.cols());
     const Machine machine = this_machine();
     const Groups groups(b);
     Eigen::MatrixXd result(a.rows(), b.cols());
