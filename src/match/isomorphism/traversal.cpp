@@ -77,6 +77,7 @@ bool SimultaneousTraversal::extend(Index first) {
     std::size_t visited = visited_;
     bool agree = true;
     for (std::size_t k = 0; k < visited && agree; ++k) {
+        fetch(first, k, visited);
         Dart f = make_dart(queue[k], 0), g = images[queue[k] - first];
         for (int side = 0; side < 3; ++side, f = next(f, 1), g = next(g, 1)) {
             const Dart over_f = a_.across(f), over_g = b_.across(g);
@@ -95,26 +96,38 @@ bool SimultaneousTraversal::extend(Index first) {
     return agree;
 }
 
+// What the steps to come will read: first the triangles, then what they point to.
+void SimultaneousTraversal::fetch(Index first, std::size_t done, std::size_t visited) const {
+    constexpr std::size_t ahead = 8;
+    if (done + 2 * ahead < visited) {
+        const Index t = queue_[done + 2 * ahead];
+        __builtin_prefetch(&a_.twin[3 * to_size(t)]);
+        __builtin_prefetch(&b_.twin[3 * to_size(triangle_of(images_[to_size(t - first)]))]);
+    }
+    if (done + ahead >= visited) return;
+    const std::size_t h = 3 * to_size(queue_[done + ahead]);
+    for (std::size_t c = 0; c < 3; ++c)
+        if (a_.twin[h + c] != no_dart)
+            __builtin_prefetch(&images_[to_size(triangle_of(a_.twin[h + c]) - first)]);
+}
+
 // Edges alone do not see that fans meet in one vertex (a pinch): whether all corners at one vertex go to one
 // vertex, and, at the same time, whether all that go to one come from one.
 bool SimultaneousTraversal::vertices_agree(Index first, Index size) {
-    vertex_image_.resize(to_size(a_.n_vertices()), -1);
-    vertex_origin_.resize(to_size(b_.n_vertices()), -1);
-    const auto for_each_corner = [&](const auto& body) {
+    vertex_image_.resize(to_size(a_.n_vertices()));
+    vertex_origin_.resize(to_size(b_.n_vertices()));
+    ++run_;
+    const auto is_single_valued = [&](std::vector<Known>& value, const auto& from, const auto& to) {
+        bool agrees = true;
         for (Index t = first; t < first + size; ++t) {
             Dart g = images_[to_size(t - first)];
-            for (std::size_t c = 0; c < 3; ++c, g = next(g, 1))
-                body(a_.corner[3 * to_size(t) + c], b_.origin(g));
+            for (std::size_t c = 0; c < 3; ++c, g = next(g, 1)) {
+                const Index a = a_.corner[3 * to_size(t) + c], b = b_.origin(g);
+                Known& known = value[to_size(from(a, b))];
+                agrees = agrees && (known.run != run_ || known.vertex == to(a, b));
+                known = {run_, to(a, b)};
+            }
         }
-    };
-    const auto is_single_valued = [&](std::vector<Index>& value, const auto& from, const auto& to) {
-        bool agrees = true;
-        for_each_corner([&](Index a, Index b) {
-            Index& known = value[to_size(from(a, b))];
-            known = known < 0 ? to(a, b) : known;
-            agrees = agrees && known == to(a, b);
-        });
-        for_each_corner([&](Index a, Index b) { value[to_size(from(a, b))] = -1; });
         return agrees;
     };
     const auto on_a = [](Index a, Index) { return a; };

@@ -61,7 +61,14 @@ class SimultaneousTraversal {
     std::size_t steps() const { return steps_; }
 
   private:
+    // The vertex that another one went with in a run.
+    struct Known {
+        std::uint32_t run = 0;
+        Index vertex = -1;
+    };
+
     bool extend(Index first);
+    void fetch(Index first, std::size_t done, std::size_t visited) const;
     bool vertices_agree(Index first, Index size);
 
     const DartMap& a_;
@@ -69,7 +76,8 @@ class SimultaneousTraversal {
     Images images_;
     std::vector<Index> queue_;
     std::size_t visited_ = 0;  // triangles in the queue
-    std::vector<Index> vertex_image_, vertex_origin_;
+    std::vector<Known> vertex_image_, vertex_origin_;
+    std::uint32_t run_ = 0;
     std::size_t steps_ = 0;
 };
 
