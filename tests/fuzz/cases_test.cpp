@@ -7,7 +7,7 @@
 
 #include <counterpart/io/file.hpp>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace counterpart {
 namespace {
 
-constexpr std::chrono::seconds time_limit{10};
+constexpr double time_limit = 10;  // seconds of processor time: other work beside does not count
 
 class FuzzCases : public testing::TestWithParam<fuzz::Target> {};
 
@@ -24,9 +24,9 @@ TEST_P(FuzzCases, EndWithoutACrashOrSoonEnough) {
     int n_cases = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         SCOPED_TRACE(entry.path());
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         GetParam().run(read_whole_file(entry.path()));
-        EXPECT_LT(std::chrono::steady_clock::now() - start, time_limit);
+        EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, time_limit);
         ++n_cases;
     }
     EXPECT_GT(n_cases, 0);

@@ -26,10 +26,14 @@ Matrix floyd_warshall(const DistanceGraph& graph) {
         distance(v, v) = 0;
         for (const auto& [to, length] : graph.links(v)) distance(v, to) = std::min(distance(v, to), length);
     }
-    for (Index k = 0; k < n; ++k)
-        for (Index i = 0; i < n; ++i)
-            for (Index j = 0; j < n; ++j)
-                distance(i, j) = std::min(distance(i, j), distance(i, k) + distance(k, j));
+    for (Index k = 0; k < n; ++k) {
+        for (Index i = 0; i < n; ++i) {
+            const double to_k = distance(i, k);
+            const double* const from_k = distance.row(k).data();  // pointers: tests are not optimized
+            double* const from_i = distance.row(i).data();
+            for (Index j = 0; j < n; ++j) from_i[j] = std::min(from_i[j], to_k + from_k[j]);
+        }
+    }
     return distance;
 }
 
