@@ -222,13 +222,12 @@ struct FinalChoiceTuning {
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
-    // The setting of least calibration error on 297 pairs (people, animals; scripts/fit_choice.py) that calls
-    // none of the wrong maps of these and of 55 pairs with a hippo or gorilla sure: doubtful rather than
-    // sure.
-    /// At which a map is trusted by half, 0.44 to 0.58 tried: right maps of people score 0.77 to 0.98, of
+    // Least calibration error on 374 pairs (people, animals, gorillas; scripts/fit_choice.py) among the
+    // settings that call none of the wrong maps more than 0.75 sure: doubtful rather than sure.
+    /// At which a map is trusted by half, 0.42 to 0.56 tried: right maps of people score 0.77 to 0.98, of
     /// animals 0.28 to 0.9, wrong ones 0.21 to 0.69.
-    double half_score = 0.54;
-    double score_width = 0.1;   ///< of the logistic curve around it, 0.05 to 0.1 tried
+    double half_score = 0.5;
+    double score_width = 0.1;   ///< of the logistic curve around it, 0.05 to 0.18 tried
     double temperature = 0.02;  ///< difference of scores at which a runner-up counts 1 / e, 0.02 to 0.1 tried
     double same_place = 0.15;   ///< images closer than this agree
     double doubt_length = 0.12;  ///< of a round trip plus tear, at which confidence falls to 1 / e
