@@ -8,11 +8,12 @@
 // DATA holds the folders faust_r, faust_a, tosca_r, scape_r, shrec19, smal_r and tosca_noniso_r, each with
 // NAME.off, corres/NAME.vts (line k of any two names the same point, from 1) and, if not all pairs count,
 // pairs.txt. Every Nth pair of the hard sets is matched (1 = all), fewer of the easy ones, by the method as
-// it is and by variants: with one stage switched off, with one term of a stage switched off, or with one
-// constant halved or doubled. With --part only every OF-th of these pairs, from number I (from 0), so that
-// several runs share the work. A variant shares the stages before the first one that it changes, and the
-// refinement where it chooses the same map. One JSON line per pair and variant, then one per variant; errors
-// are geodesic, times 100 / sqrt(target area); seconds are processor time of stages 2 to 5. One thread.
+// it is, but that nothing ends early (all searches and rounds of refinement run in full), and by variants:
+// with one stage switched off, with one term of a stage switched off, or with one constant halved or doubled.
+// With --part only every OF-th of these pairs, from number I (from 0), so that several runs share the work. A
+// variant shares the stages before the first one that it changes, and the refinement where it chooses the
+// same map. One JSON line per pair and variant, then one per variant; errors are geodesic, times 100 /
+// sqrt(target area); seconds are processor time of stages 2 to 5. One thread.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/final_choice.hpp"
@@ -239,6 +240,7 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
                               Shared& shared) {
     SpectralTuning tuning;
     variant.change(tuning);
+    tuning.refinement.continued_drift = 0;  // all rounds
     const PreparedShape &a = source.shape, &b = target.shape;
     const bool is_reference = shared.final_choice.maps.empty();
     Stage now;

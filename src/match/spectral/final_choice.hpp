@@ -6,10 +6,11 @@
 
 namespace counterpart::spectral_match {
 
-/// Stage 4: which of the finalists is not half-turned and has each limb in its place. The best, between all
-/// samples, are refined briefly (`on_vertices`) and sorted by a total score in which fine relief, similarity
-/// of neighborhoods and wringing count too (cues.hpp): before they are refined, a half-turned body fits as
-/// well as the right one. `all` has neighborhoods of CueTuning::radius.
+/// Stage 4: which of the finalists, best first, is not half-turned and has each limb in its place. Those that
+/// come close, between all samples, are refined briefly (`on_vertices`), the others only matched, and all are
+/// sorted by a total score in which fine relief, similarity of neighborhoods and wringing count too
+/// (half_turn_cues.hpp): before they are refined, a half-turned body fits as well as the right one. `all` has
+/// neighborhoods of CueTuning::radius.
 void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, const FinalChoiceTuning& tuning,
                  const ProgressRange& progress = {});
 

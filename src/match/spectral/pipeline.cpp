@@ -49,7 +49,7 @@ struct Stages {
         watch.lap("selection");
         FinalChoiceTuning choice = tuning.final_choice;
         choice.n_tried = std::max(choice.n_tried, n_asked);
-        if (finalists.size() >= n_asked) {
+        if (!finalists.empty()) {
             choice.close_score = 0;  // what is decided needs no second look
         } else {
             candidates =

@@ -7,8 +7,8 @@
 namespace counterpart::spectral_match {
 
 /// Stage 5. The map of a candidate from `select`, between all samples, carried to all vertices of both
-/// shapes. Exchanging the shapes exchanges the maps. Pinned landmarks hold exactly, and the surfaces are bent
-/// through them.
+/// shapes; that of a near isometry goes on from where its brief refinement (`on_vertices`) ended. Exchanging
+/// the shapes exchanges the maps. Pinned landmarks hold exactly, and the surfaces are bent through them.
 PairedMaps refine(const SampledPair& all, const Candidate& start, const RefinementTuning& tuning = {},
                   const ProgressRange& progress = {});
 

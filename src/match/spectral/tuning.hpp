@@ -149,9 +149,9 @@ struct SelectionTuning {
     bool final_masked = true;     ///< damp entries between far frequencies (Hu et al. 2021)
     ScoreWeights final_score{0, 0.25, 0, 10, 2};
     /// A map of less drift that is so far ahead of the next one is right, and the candidates are not varied,
-    /// which takes a quarter of the whole time. Of 306 pairs of people and animals 97 have such a map before
-    /// (drift 0.008), all right; up to 0.01, 33 more, of which one centaur's is wrong. Leads of right maps
-    /// are from 0.04 on, of wrong ones up to 0.007 (drifts up to 0.009).
+    /// which takes a quarter of the whole time. Of 306 pairs of people and animals 113 have such a map at
+    /// drifts below 0.008, all right; up to 0.01, 32 more, of which one centaur's is wrong. Leads of right
+    /// maps are from 0.04 on, of wrong ones up to 0.007 (drifts up to 0.009).
     double decided_drift = 0.007, decided_lead = 0.05;
     std::size_t n_looked_at = 14;  ///< the best candidates, among which it is sought
     std::size_t n_finalists = 8;
@@ -188,7 +188,7 @@ struct RefinementTuning {
     double pin_mass = 0.005;         ///< share of the area that a pinned vertex pulls like, in the fits
     int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
     IslandTuning islands{};          ///< put back in the later rounds
-    int n_rounds = 8;                ///< 0 = spectral coordinates and features alone
+    int n_rounds = 8;                ///< 0 = spectral coordinates and features alone, or the brief refinement
     /// Below this drift only the last rounds are gone through: the brief refinement before the final choice
     /// has come as far as the others. Errors of people change by 0.01 with 3, 4 or 5 rounds, by 0.02 with 2;
     /// of animals, which are less isometric, without such a bound by 8 %. One body in two poses: 0.44, 0.42,
@@ -222,7 +222,7 @@ struct FinalChoiceTuning {
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
-    // Least calibration error on 374 pairs (people, animals, gorillas; scripts/fit_choice.py) among the
+    // Least calibration error on 374 pairs (people, animals, gorillas; benchmarks/candidates) among the
     // settings that call none of the wrong maps more than 0.75 sure: doubtful rather than sure.
     /// At which a map is trusted by half, 0.42 to 0.56 tried: right maps of people score 0.77 to 0.98, of
     /// animals 0.28 to 0.9, wrong ones 0.21 to 0.69.

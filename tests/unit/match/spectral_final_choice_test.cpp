@@ -75,5 +75,16 @@ TEST_F(SpectralFinalChoice, OnlyAsManyAsAskedForAreTried) {
     EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
 }
 
+TEST_F(SpectralFinalChoice, OneThatIsNotRefinedDoesNotWin) {
+    std::vector<Candidate> finalists{wrong, right};
+    finalists[0].scores.total = 0.5;
+    finalists[1].scores.total = 0.3;
+    FinalChoiceTuning tuning;
+    tuning.close_score = 0;
+    choose_best(finalists, pair, tuning);
+    EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
+    EXPECT_GE(finalists.front().scores.total, finalists.back().scores.total);
+}
+
 }  // namespace
 }  // namespace counterpart::spectral_match

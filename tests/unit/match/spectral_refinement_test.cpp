@@ -133,7 +133,8 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
 TEST(SpectralRefinement, GoesOnFromTheBriefOneOfANearIsometry) {
     const PreparationOptions options{.n_functions = 60, .n_samples = 300};
     const PreparedShape a = prepare(banana(0.1), options), b = prepare(banana(0.3), options);
-    const RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 4};
+    const RefinementTuning tuning{
+        .first_match_size = 40, .last_size = 60, .n_rounds = 4, .n_continued_rounds = 1};
     Candidate start;
     start.maps = slid(a, b, 0.1);
     start.on_vertices =
@@ -143,6 +144,12 @@ TEST(SpectralRefinement, GoesOnFromTheBriefOneOfANearIsometry) {
     std::reverse(start.maps.a_from_b.begin(), start.maps.a_from_b.end());
     start.scores.drift = 0.5 * tuning.continued_drift;
     EXPECT_LT(mean_distance_from_identity(b, refine({a, b, all_samples, 0}, start, tuning).b_from_a), 0.01);
+    // Only the last rounds are gone through: with none of them the brief map stays, whatever it is.
+    RefinementTuning none = tuning;
+    none.n_continued_rounds = 0;
+    Candidate folded = start;
+    std::fill(folded.on_vertices.b_from_a.begin(), folded.on_vertices.b_from_a.end(), 0);
+    EXPECT_EQ(refine({a, b, all_samples, 0}, folded, none).b_from_a, folded.on_vertices.b_from_a);
     start.scores.drift = 2 * tuning.continued_drift;
     EXPECT_GT(mean_distance_from_identity(b, refine({a, b, all_samples, 0}, start, tuning).b_from_a), 0.1);
 }
