@@ -99,9 +99,9 @@ class PartialMatching {
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
         std::vector<Fit> found =
-            fits(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.98));
+            fits(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.9));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
-        take(found);
+        take(found, finish(pair, found.front().bent, part_is_covered(), tuning_, progress_.part(0.9, 0.98)));
         result_.stages = watch_.stages();
         return std::move(result_);
     }
@@ -173,10 +173,9 @@ class PartialMatching {
         return lifted(bends_source_ ? maps.whole_from_part : maps.part_from_whole, source_, target_);
     }
 
-    void take(const std::vector<Fit>& found) {
-        const PartnerMaps best = partners(*part_, *whole_, found.front().bent, part_is_covered(),
-                                          tuning_.overlap, tuning_.islands);
-        watch_.lap("partners");
+    void take(const std::vector<Fit>& found, const Finished& finished) {
+        watch_.lap("finish");
+        const PartnerMaps& best = finished.maps;
         result_.target_from_source = target_from_source(best);
         result_.source_from_target =
             lifted(bends_source_ ? best.part_from_whole : best.whole_from_part, target_, source_);
@@ -194,16 +193,17 @@ class PartialMatching {
                 {target_from_source(partners(*part_, *whole_, found[i].bent, part_is_covered(),
                                              tuning_.overlap, tuning_.islands)),
                  found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.confidence)});
-        const Vector of_part_vertices = confidence(*part_, *whole_, found, best.misfit, tuning_.confidence);
+        const Vector of_part_vertices =
+            confidence(*part_, *whole_, found, finished.misfit, tuning_.confidence);
         result_.confidence.resize(result_.target_from_source.source_size());
         for (Index v = 0; v < result_.confidence.size(); ++v) {
             const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
             const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
             result_.confidence[v] = result_.target_from_source[v] == VertexMap::unmatched
-                                        ? whole_confidence(found.front(), best.misfit, tuning_.confidence)
+                                        ? whole_confidence(found.front(), finished.misfit, tuning_.confidence)
                                         : of_part_vertices[on_part];
         }
-        result_.warnings = warnings(result_, source_, target_, best.misfit, tuning_.confidence);
+        result_.warnings = warnings(result_, source_, target_, finished.misfit, tuning_.confidence);
         watch_.lap("confidence");
     }
 

@@ -37,45 +37,49 @@ Vector trust_in(const BentSource& bent, const Surface& target, const FitTuning& 
 
 }  // namespace
 
-BentSource fit_one_way(const Surface& source, const LaplaceBeltrami& laplacian, const Surface& target,
-                       const numerics::OrientedNeighbors& on_target, const std::vector<Index>& start,
-                       std::vector<std::pair<Index, Index>> pins, const FitTuning& tuning,
-                       const ProgressRange& progress) {
-    const Eigen::Index n = source.mesh.n_vertices();
+OneWayFit::OneWayFit(const Surface& source, const Surface& target, const FitTuning& tuning)
+    : source_(source),
+      target_(target),
+      laplacian_(laplace_beltrami(source.mesh)),
+      on_target_(target.mesh.vertices, target.normals, tuning.normal_weight) {}
+
+BentSource OneWayFit::operator()(FitStart start, const FitTuning& tuning,
+                                 const ProgressRange& progress) const {
+    const Eigen::Index n = source_.mesh.n_vertices();
     spectral_match::RefinementTuning rigid;
     rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
-    spectral_match::ElasticFit fit(source.mesh.vertices, laplacian, rigid);
-    BentSource bent{start, Points(n, 3), source.normals, 0, std::move(pins)};
+    spectral_match::ElasticFit fit(source_.mesh.vertices, laplacian_, rigid);
+    BentSource bent{std::move(start.image), Points(n, 3), source_.normals, 0, std::move(start.pins)};
     Vector trust = Vector::Ones(n);
-    const auto pin = [&] {
+    const auto hold = [&] {  // what is known against what was seen
+        for (std::size_t v = 0; v < start.pulls.size(); ++v)
+            if (start.pulls[v] == 0) trust[static_cast<Index>(v)] = tuning.min_trust;
         for (const auto& [v, image] : bent.pins) {
             bent.image[at(v)] = image;
             trust[v] = tuning.pin_trust;
         }
     };
     for (Eigen::Index v = 0; v < n; ++v) {
-        if (start[at(v)] < 0) trust[v] = tuning.min_trust, bent.image[at(v)] = 0;
-        bent.positions.row(v) = target.mesh.vertices.row(bent.image[at(v)]);
-        if (target.on_boundary[at(bent.image[at(v)])] != 0) trust[v] *= tuning.beyond_trust;
+        if (bent.image[at(v)] < 0) trust[v] = tuning.min_trust, bent.image[at(v)] = 0;
+        if (target_.on_boundary[at(bent.image[at(v)])] != 0) trust[v] *= tuning.beyond_trust;
     }
-    pin();
-    for (const auto& [v, image] : bent.pins) bent.positions.row(v) = target.mesh.vertices.row(image);
+    hold();
+    bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
     const double ratio =
         std::pow(tuning.last_length / tuning.first_length, 1.0 / std::max(tuning.n_rounds - 1, 1));
     double length = tuning.first_length;
     for (int round = 0; round < tuning.n_rounds; ++round, length *= ratio) {
-        Points towards(n, 3);
-        for (Eigen::Index v = 0; v < n; ++v) towards.row(v) = target.mesh.vertices.row(bent.image[at(v)]);
-        if (round > 0) trust = trust_in(bent, target, tuning);
-        pin();
+        const Points towards = target_.mesh.vertices(bent.image, Eigen::all);
+        if (round > 0) trust = trust_in(bent, target_, tuning);
+        hold();
         bent.positions = fit(towards, bent.positions, length,
                              round == 0 ? tuning.n_first_iterations : tuning.n_iterations, progress, trust);
-        bent.normals = vertex_normals({bent.positions, source.mesh.triangles});
+        bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
         parallel_for(at(n), 64, [&](std::size_t v) {
             const auto row = static_cast<Eigen::Index>(v);
-            bent.image[v] = on_target.closest(bent.positions.row(row), bent.normals.row(row));
+            bent.image[v] = on_target_.closest(bent.positions.row(row), bent.normals.row(row));
         });
-        pin();
+        hold();
         progress.reach((round + 1.0) / tuning.n_rounds);
     }
     bent.strain = fit.strain(bent.positions);

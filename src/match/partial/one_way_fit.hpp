@@ -20,13 +20,28 @@ struct BentSource {
     std::vector<std::pair<Index, Index>> pins;
 };
 
-/// Step 5. Bends the source towards the images `start` (-1 = none), stiff at first, then pliable; after each
-/// round the images are the target's points closest in place and normal. Only the source is bent: the target
-/// may be larger. Pairs that are known, `pins`, pull with all their trust, and are images of each other in
-/// the end.
-BentSource fit_one_way(const Surface& source, const LaplaceBeltrami& laplacian, const Surface& target,
-                       const numerics::OrientedNeighbors& on_target, const std::vector<Index>& start,
-                       std::vector<std::pair<Index, Index>> pins, const FitTuning& tuning,
-                       const ProgressRange& progress = {});
+/// Where the source starts, and what is known of it.
+struct FitStart {
+    std::vector<Index> image;  ///< of each source vertex; -1 = none
+    std::vector<std::pair<Index, Index>>
+        pins;                   ///< source and target vertices: images of each other in the end
+    std::vector<char> pulls{};  ///< per source vertex; none: all of them do
+};
+
+/// Steps 5 and 8. Bends the source towards its images, stiff at first, then pliable; after each round the
+/// images are the target's points closest in place and normal. Only the source is bent: the target may be
+/// larger. Pins pull with all their trust.
+class OneWayFit {
+  public:
+    /// Keeps references.
+    OneWayFit(const Surface& source, const Surface& target, const FitTuning& tuning);
+
+    BentSource operator()(FitStart start, const FitTuning& tuning, const ProgressRange& progress = {}) const;
+
+  private:
+    const Surface &source_, &target_;
+    LaplaceBeltrami laplacian_;
+    numerics::OrientedNeighbors on_target_;
+};
 
 }  // namespace counterpart::partial_match

@@ -111,17 +111,16 @@ std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index,
     const std::vector<Plausible> plausible = most_plausible(pair, groups, tuning);
     progress.reach(0.25);
     watch.lap("relabel");
-    const LaplaceBeltrami laplacian = laplace_beltrami(part.mesh);
-    const numerics::OrientedNeighbors on_whole(whole.mesh.vertices, whole.normals, tuning.fit.normal_weight);
+    const OneWayFit fit_one_way(part, whole, tuning.fit);
     const MatrixF of_part = part.signatures_of(part.samples, std::array{tuning.judge_radius});
     std::vector<Fit> found;
     for (std::size_t i = 0; i < plausible.size(); ++i) {
         const ProgressRange mine = progress.part(0.25, 1).step(i, plausible.size());
         Fit fit{plausible[i].map, {}, {}, 0, 0, 0};
-        const std::vector<Index> start =
+        std::vector<Index> start =
             anchored_map(part, whole, fit.anchors, tuning.anchoring, mine.part(0, 0.2));
         watch.lap("anchor");
-        fit.bent = fit_one_way(part, laplacian, whole, on_whole, start, pins, tuning.fit, mine.part(0.2, 1));
+        fit.bent = fit_one_way({std::move(start), pins}, tuning.fit, mine.part(0.2, 1));
         watch.lap("fit");
         judge(fit, pair, of_part, tuning);
         watch.lap("judge");
@@ -130,6 +129,17 @@ std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index,
     std::stable_sort(found.begin(), found.end(),
                      [](const Fit& a, const Fit& b) { return a.total > b.total; });
     return found;
+}
+
+Finished finish(const SamplePair& pair, BentSource bent, bool part_is_covered, const PartialTuning& tuning,
+                const ProgressRange& progress) {
+    const PartnerMaps seen =
+        partners(pair.source, pair.target, bent, part_is_covered, tuning.overlap, tuning.islands);
+    FitStart start{std::move(bent.image), std::move(bent.pins)};
+    for (const Index image : seen.whole_from_part) start.pulls.push_back(image >= 0 ? 1 : 0);
+    bent = OneWayFit(pair.source, pair.target, tuning.finish)(std::move(start), tuning.finish, progress);
+    const OverlapTuning& overlap = part_is_covered ? tuning.finished_overlap : tuning.overlap;
+    return {partners(pair.source, pair.target, bent, part_is_covered, overlap, tuning.islands), seen.misfit};
 }
 
 double find_scale(const Surface& part, const Surface& whole, Index n_landmarks, double least, double most,

@@ -4,6 +4,7 @@
 
 #include "match/partial/consensus.hpp"
 #include "match/partial/one_way_fit.hpp"
+#include "match/partial/overlap.hpp"
 
 #include <counterpart/base/progress.hpp>
 
@@ -27,6 +28,17 @@ struct Fit {
 std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index, Index>>& pins,
                       const PartialTuning& tuning, std::uint64_t seed, Stopwatch& watch,
                       const ProgressRange& progress);
+
+/// The chosen way in its final shape.
+struct Finished {
+    PartnerMaps maps;
+    double misfit =
+        0;  ///< before it was finished (see PartnerMaps): a pliable surface hides what does not fit
+};
+
+/// Step 8. What has a partner pulls on, ever more pliable; then partners are looked for once more.
+Finished finish(const SamplePair& pair, BentSource bent, bool part_is_covered, const PartialTuning& tuning,
+                const ProgressRange& progress);
 
 /// The factor by which the part must grow so that its lengths are those of the whole. Tried from `least` to
 /// `most`.

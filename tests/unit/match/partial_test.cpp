@@ -61,7 +61,7 @@ TEST_F(MatchPartial, CutBodyLandsOnTheWholeInAnotherPose) {
     const PartialResult result = match_partial(part.mesh, other, known);
     EXPECT_EQ(result.part, Part::source);
     EXPECT_EQ(count_matched(result.target_from_source), part.mesh.n_vertices());
-    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 4);
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 1.55);  // unfinished: 1.61
     EXPECT_GT(result.confidence.mean(), 0.5);
     EXPECT_NEAR(result.target_share, surface_area(part.mesh) / surface_area(whole), 0.1);
 }
@@ -106,7 +106,7 @@ TEST_F(MatchPartial, PartsThatOverlap) {
     EXPECT_GT(count_matched(result.target_from_source), 0);
     EXPECT_LT(count_matched(result.target_from_source), a.mesh.n_vertices());
     const VertexMap on_other = compose_maps(result.target_from_source, b.whole_from_part);
-    EXPECT_LT(error(on_other, a.whole_from_part), 8);
+    EXPECT_LT(error(on_other, a.whole_from_part), 1.75);  // unfinished: 2.11
 }
 
 TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
@@ -123,7 +123,7 @@ TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
 TEST_F(MatchPartial, HolesAreMatchedAround) {
     const test::PartOfMesh part = test::with_holes(whole, 5, 0.12 * length, 3);
     const PartialResult result = match_partial(part.mesh, other, {.same_scale = true, .n_samples = 600});
-    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 2.2);  // unfinished: 2.37
 }
 
 TEST_F(MatchPartial, LandmarksAreKept) {
@@ -133,7 +133,7 @@ TEST_F(MatchPartial, LandmarksAreKept) {
     for (const Index v : {10, 200, 400}) options.landmarks.emplace_back(v, free.target_from_source[v]);
     options.landmarks[1].second = free.target_from_source[201];  // near, not where the surface would go
     const PartialResult result = match_partial(part.mesh, other, options);
-    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 5);
+    EXPECT_LT(error(result.target_from_source, part.whole_from_part), 2);
     for (const auto& [on_part, on_whole] : options.landmarks) {
         EXPECT_EQ(result.target_from_source[on_part], on_whole);
         EXPECT_EQ(result.source_from_target[on_whole], on_part);
