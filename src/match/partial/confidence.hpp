@@ -18,8 +18,8 @@ double whole_confidence(const Fit& fit, double misfit, const ConfidenceTuning& t
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
                    const ConfidenceTuning& tuning);
 
-/// Of each vertex of the part, of the first fit: the confidence of the whole, whether the other fits agree,
-/// and how near the vertex came to its image.
+/// Of each vertex of the part, of the first fit before it is finished: the confidence of the whole, whether
+/// the other fits agree, and how near the vertex came to its image.
 Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
                   const ConfidenceTuning& tuning);
 

@@ -16,9 +16,9 @@ struct PartnerMaps {
     double misfit = 0;
 };
 
-/// Step 7. A vertex is paired with the closest in place and normal on the other surface, unless that is too
-/// far, or lies on the boundary while the vertex is beyond it. If the whole surface has a place for all of
-/// the part (`part_is_covered`), every vertex of the part is paired; else islands are left out.
+/// Steps 7 and 8. A vertex is paired with the closest in place and normal on the other surface, unless that
+/// is too far, or lies on the boundary while the vertex is beyond it. If the whole surface has a place for
+/// all of the part (`part_is_covered`), every vertex of the part is paired; else islands are left out.
 PartnerMaps partners(const Surface& part, const Surface& whole, const BentSource& bent, bool part_is_covered,
                      const OverlapTuning& tuning, const IslandTuning& island_tuning);
 
