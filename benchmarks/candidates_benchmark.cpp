@@ -9,9 +9,8 @@
 // not run again. No search ends early here. Finalists come best first, so that the first one is the choice;
 // their errors are those after the brief refinement, that of the choice also after the full one
 // ("mean_error"). Errors are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is
-// matched again with one landmark
-// ("with_landmark"). Two pairs run at a time, on one thread each. The last line
-// on stdout: pairs, mean error of the chosen, of the best finalist, and how many are above 6.
+// matched again with one landmark ("with_landmark"). Two pairs run at a time, on one thread each. The last
+// line on stdout: pairs, mean error of the chosen, of the best finalist, and how many are above 6.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"

@@ -83,8 +83,8 @@ struct SpectralOptions {
 
 /// A runner-up.
 struct SpectralAlternative {
-    VertexMap
-        target_from_source;  ///< every source vertex is matched; refined briefly if it came close, else not
+    /// Every source vertex is matched. Refined briefly if it came close, else not.
+    VertexMap target_from_source;
     double score = 0;
     std::string description;  ///< how it differs from the best map: mirrored, turned, another limb
 };
