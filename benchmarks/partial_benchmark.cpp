@@ -11,14 +11,15 @@
 // in the truth says nothing), none (it says that there is no partner), or inner (so where all neighbors have
 // none either: where the whole's vertices outnumber the part's, several share one), only=SUBSTRING of the
 // pair, swap=1 (match target to source), kept=SHARE (the source's triangles are made anew, with this share of
-// its vertices), by=connectivity (find_differences in place of match_partial) or automatic (match). One JSON
-// line per pair goes to RESULTS. Errors are geodesic, times 100 / sqrt(target area); the last line on stdout
-// is the summary.
+// its vertices), by=connectivity (find_differences in place of match_partial) or automatic (match),
+// fill=EDGES (see CompleteOptions). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 /
+// sqrt(target area); the last line on stdout is the summary.
 #include "base/random.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/map/complete.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/partial.hpp>
@@ -107,6 +108,14 @@ PartialResult by_automatic(const TriangleMesh& source, const TriangleMesh& targe
     return result;
 }
 
+VertexMap filled(const VertexMap& map, const TriangleMesh& source, const TriangleMesh& target,
+                 int max_edges) {
+    if (max_edges == 0 || count_matched(map) == 0) return map;
+    return nearest_corners(complete_map(surface_map_of(map, target), source, target, {.max_edges = max_edges})
+                               .target_from_source,
+                           target);
+}
+
 Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
              const Settings& settings, int n_threads) {
     const auto setting = [&](const std::string& key, const std::string& otherwise) {
@@ -133,10 +142,12 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
     options.same_scale = setting("scale", "same") == "same";
     Stopwatch watch;
     const std::string by = setting("by", "geometry");
-    const PartialResult result = by == "connectivity" ? by_connectivity(source, target, n_threads)
-                                 : by == "automatic"  ? by_automatic(source, target, options)
-                                                      : match_partial(source, target, options);
+    PartialResult result = by == "connectivity" ? by_connectivity(source, target, n_threads)
+                           : by == "automatic"  ? by_automatic(source, target, options)
+                                                : match_partial(source, target, options);
     watch.lap("match");
+    result.target_from_source =
+        filled(result.target_from_source, source, target, std::stoi(setting("fill", "0")));
 
     const bool none_is_known = setting("unpaired", "none") != "unknown";
     std::vector<double> errors;

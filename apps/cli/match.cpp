@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 #include "estimate.hpp"
+#include "fill_map.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
 #include "match_partial.hpp"
@@ -30,6 +31,7 @@ struct MatchCommand {
     CommonOptions common;
     std::filesystem::path source, target, output, inverse, confidence, initial, functional;
     int functional_size = 100;
+    FillArguments fill;
     std::string method = "auto";
     std::shared_ptr<ExactArguments> exact;
     std::vector<MethodCommand> methods;
@@ -69,8 +71,7 @@ void refuse_unused_options(const MatchCommand& command, const std::string& metho
         // auto tries exact with these before it chooses another method.
         if (command.method == "auto" && (name == "--allow-mirror" || name == "--weld")) continue;
         // What these say of the meshes and of the map stays true where connectivity decides.
-        if (command.method == "auto" && method == "exact" &&
-            (name == "--part" || name == "--same-scale" || name == "--fill"))
+        if (command.method == "auto" && method == "exact" && (name == "--part" || name == "--same-scale"))
             continue;
         throw InvalidInput(fmt::format("{} is an option of --method {}; {} does not use it", name, owner,
                                        command.method == "auto" && method != "auto"
@@ -118,7 +119,8 @@ void write_functional_map(const MatchCommand& command, const MatchOutcome& outco
 void refuse_options_of_surfaces(const MatchCommand& command) {
     for (const auto& [option, owner] : command.method_of_option) {
         const std::string name = option->get_name();
-        const bool is_common = owner.empty() && name != "--initial" && name != "--functional-map";
+        const bool is_common =
+            owner.empty() && name != "--initial" && name != "--functional-map" && !name.starts_with("--fill");
         if (option->count() > 0 && !is_common && name != "--allow-mirror")
             throw InvalidInput(fmt::format("{} is not used where solids of tetrahedra are matched", name));
     }
@@ -192,8 +194,9 @@ void run(const MatchCommand& command) {
     const MeshPair pair{source, target, command.source, command.target};
     const MatchInput input{source, target, command.common, progress_bar("matching", command.common)};
     if (command.initial.empty()) say_expected_cost(input, command.method);
-    const MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
-                                                         : refine_map(input, load_map(command.initial, pair));
+    MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
+                                                   : refine_map(input, load_map(command.initial, pair));
+    if (outcome.failure.empty()) fill_map(outcome, input, command.fill);
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
     const Judgment judgment = judge(outcome, pair);
@@ -254,6 +257,13 @@ void add_match(CLI::App& program) {
                      "Number of eigenfunctions of --functional-map")
         ->check(whole_number(1, 1000))
         ->capture_default_str();
+    match->add_flag("--fill", command->fill.all,
+                    "Give vertices without a partner an image that follows those around them, instead of -1");
+    match
+        ->add_option("--fill-edges", command->fill.max_edges,
+                     "The same, but only for vertices at most this many edges from one with a partner")
+        ->option_text("N")
+        ->check(whole_number(1, 1'000'000));
     const auto exact = command->exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
     const auto partial = std::make_shared<PartialArguments>();

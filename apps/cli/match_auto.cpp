@@ -26,10 +26,8 @@ MatchOptions options_of(const MatchInput& input, const ExactArguments& exact,
 
 // Messages and report of the method that answered; writes the files it was asked for.
 MatchOutcome outcome_of(const MatchInput& input, const ExactArguments& exact,
-                        const SpectralArguments& spectral, const PartialArguments& partial,
-                        const MatchResult& result) {
-    if (result.method == MatchMethod::partial)
-        return partial_outcome(input, partial, spectral, *result.partial);
+                        const SpectralArguments& spectral, const MatchResult& result) {
+    if (result.method == MatchMethod::partial) return partial_outcome(spectral, *result.partial);
     if (result.method == MatchMethod::spectral) return spectral_outcome(spectral, *result.spectral);
     if (result.method == MatchMethod::exact && result.exact && result.exact->identical)
         return exact_outcome(input, exact, *result.exact);
@@ -88,10 +86,8 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                                       "unless a part is matched or the connectivity is alike, ");
                 const MatchResult result =
                     match(input.source, input.target, options_of(input, *exact, *spectral, *partial));
-                MatchOutcome outcome = outcome_of(input, *exact, *spectral, *partial, result);
-                if (result.method != MatchMethod::partial)  // that may be filled
-                    outcome.target_from_source = result.target_from_source;
-                if (result.method == MatchMethod::exact && partial->fill) fill(outcome, input);
+                MatchOutcome outcome = outcome_of(input, *exact, *spectral, result);
+                outcome.target_from_source = result.target_from_source;
                 outcome.confidence = result.confidence;
                 outcome.method = to_string(result.method);
                 outcome.stages = result.stages;

@@ -6,7 +6,6 @@
 
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
-#include <counterpart/map/complete.hpp>
 
 #include <cmath>
 #include <map>
@@ -73,18 +72,6 @@ void add_touching(std::vector<std::string>& messages, const std::string& name,
             name, vertices.size()));
 }
 
-// Every unmatched vertex follows those around it.
-VertexMap filled(const VertexMap& map, const TriangleMesh& source, const TriangleMesh& target) {
-    const Index n_matched = count_matched(map);
-    if (n_matched == 0 || n_matched == map.source_size()) return map;
-    const VertexMap corners =
-        nearest_corners(complete_map(surface_map_of(map, target), source, target).target_from_source, target);
-    std::vector<Index> image = map.image();
-    for (std::size_t v = 0; v < image.size(); ++v)
-        if (image[v] == VertexMap::unmatched) image[v] = corners[static_cast<Index>(v)];
-    return {std::move(image), target.n_vertices()};
-}
-
 }  // namespace
 
 PartialOptions PartialArguments::options_for(const MatchInput& input, const SpectralArguments& shared) const {
@@ -99,8 +86,7 @@ PartialOptions PartialArguments::options_for(const MatchInput& input, const Spec
     return result;
 }
 
-MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& arguments,
-                             const SpectralArguments& shared, const PartialResult& result) {
+MatchOutcome partial_outcome(const SpectralArguments& shared, const PartialResult& result) {
     if (!shared.alternatives.empty())
         for (std::size_t i = 0; i < result.alternatives.size(); ++i)
             write_vertex_map(result.alternatives[i].target_from_source,
@@ -120,16 +106,7 @@ MatchOutcome partial_outcome(const MatchInput& input, const PartialArguments& ar
     outcome.target_from_source = result.target_from_source;
     outcome.source_from_target = result.source_from_target;
     outcome.confidence = result.confidence;
-    if (arguments.fill) fill(outcome, input);
     return outcome;
-}
-
-void fill(MatchOutcome& outcome, const MatchInput& input) {
-    const Index n_before = count_matched(outcome.target_from_source);
-    outcome.target_from_source = filled(outcome.target_from_source, input.source, input.target);
-    const Index n = count_matched(outcome.target_from_source) - n_before;
-    outcome.messages.push_back(fmt::format("{} unmatched vertices filled from their neighbors", n));
-    outcome.details["filled_vertices"] = n;
 }
 
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
@@ -153,16 +130,11 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
         .add_flag("--same-scale", arguments->options.same_scale,
                   "The files share their unit of length: surer and faster than searching the scale")
         ->group(group);
-    match
-        .add_flag("--fill", arguments->fill,
-                  "Give vertices without a partner an image that follows those around them, instead of -1")
-        ->group(group);
     return {"partial",
             "local shape and distances: parts, meshes with holes, surfaces fused with themselves",
             [arguments, shared](const MatchInput& input) {
-                return partial_outcome(
-                    input, *arguments, *shared,
-                    match_partial(input.source, input.target, arguments->options_for(input, *shared)));
+                return partial_outcome(*shared, match_partial(input.source, input.target,
+                                                              arguments->options_for(input, *shared)));
             },
             true,
             {"--landmarks", "--soft-landmarks", "--seed", "--alternatives", "--alternatives-output"}};

@@ -163,10 +163,16 @@ def invert_map(
         return SurfaceMap(*_core.invert_surface_map(source, target, triangle, weights, n_threads, report))
 
 
-def complete_map(source: MeshLike, target: MeshLike, target_from_source: MapLike) -> SurfaceMap:
-    """The map with its unmatched vertices filled: they follow those around them over the surface."""
+def complete_map(
+    source: MeshLike, target: MeshLike, target_from_source: MapLike, *, max_edges: int | None = None
+) -> SurfaceMap:
+    """The map with its unmatched vertices filled: they follow those around them over the surface.
+
+    With `max_edges` only vertices at most that many edges from a matched one are; the rest stays unmatched.
+    """
     source, target = core_mesh(source), core_mesh(target)
-    return SurfaceMap(*_core.complete_map(source, target, *surface_map_of(target_from_source, source, target))[0])
+    triangle, weights = surface_map_of(target_from_source, source, target)
+    return SurfaceMap(*_core.complete_map(source, target, triangle, weights, max_edges)[0])
 
 
 def nearest_corners(target: MeshLike, target_from_source: SurfaceMap) -> IntArray:

@@ -131,13 +131,15 @@ void bind_maps(nb::module_& module) {
         "source"_a, "target"_a, "triangle"_a, "weights"_a, "n_threads"_a, "progress"_a.none());
     module.def(
         "complete_map",
-        [](const Mesh& source, const Mesh& target, const IndexArray& triangle, const PointArray& weights) {
+        [](const Mesh& source, const Mesh& target, const IndexArray& triangle, const PointArray& weights,
+           std::optional<int> max_edges) {
             const CompletedMap completed = run([&] {
-                return complete_map(surface_map_of(triangle, weights, target.n_triangles()), source, target);
+                return complete_map(surface_map_of(triangle, weights, target.n_triangles()), source, target,
+                                    {.max_edges = max_edges});
             });
             return std::tuple(arrays(completed.target_from_source), counts_of(completed.coverage));
         },
-        "source"_a, "target"_a, "triangle"_a, "weights"_a);
+        "source"_a, "target"_a, "triangle"_a, "weights"_a, "max_edges"_a.none());
     module.def(
         "surface_map",
         [](const Mesh& target, const IndexArray& target_from_source) {

@@ -212,7 +212,7 @@ class Calls:
 
     def call_complete_map(self):
         a = self.mesh()
-        return counterpart.complete_map(a, self.mesh(), self.map(a))
+        return counterpart.complete_map(a, self.mesh(), self.map(a), max_edges=self.number(1))
 
     def call_compose_maps(self):
         return counterpart.compose_maps(self.map(None), self.map(None))

@@ -122,6 +122,9 @@ def test_partial():
     assert back.method == "partial" and back.partial.part == "target" and (back.target_from_source < 0).any()
     filled = counterpart.complete_map(whole, part, back)
     assert (filled.triangle >= 0).all()
+    near = counterpart.complete_map(whole, part, back, max_edges=1)
+    n_matched = (back.target_from_source >= 0).sum()
+    assert n_matched < (near.triangle >= 0).sum() < whole.n_vertices
 
 
 def test_bad_options_of_partial(pair):

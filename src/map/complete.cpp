@@ -5,15 +5,45 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
+#include <counterpart/mesh/adjacency.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace counterpart {
+namespace {
 
-CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target) {
+// Whether a path of at most `max_edges` edges leads to a matched vertex.
+std::vector<char> near_matched(const SurfaceMap& map, MeshView mesh, int max_edges) {
+    const Adjacency adjacency(mesh);
+    std::vector<char> reached(map.image.size(), 0);
+    std::vector<Index> frontier, next;
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        if (map[v].matched()) reached[static_cast<std::size_t>(v)] = 1, frontier.push_back(v);
+    for (int edges = 0; edges < max_edges && !frontier.empty(); ++edges, std::swap(frontier, next)) {
+        next.clear();
+        for (const Index v : frontier) {
+            for (const Index w : adjacency.neighbors(v)) {
+                if (reached[static_cast<std::size_t>(w)] != 0) continue;
+                reached[static_cast<std::size_t>(w)] = 1;
+                next.push_back(w);
+            }
+        }
+    }
+    return reached;
+}
+
+}  // namespace
+
+CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target,
+                          const CompleteOptions& options) {
     require_valid(target_from_source, source.n_vertices(), target.n_triangles());
+    if (options.max_edges && *options.max_edges < 1)
+        throw InvalidInput(fmt::format("max_edges is {}; it must be at least 1", *options.max_edges));
     CompletedMap result{target_from_source, {.transferred = count_matched(target_from_source)}};
     if (result.coverage.transferred == 0) throw InvalidInput("the map matches no vertex");
     if (result.coverage.transferred == source.n_vertices()) return result;
@@ -21,9 +51,17 @@ CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source,
         mesh::fill_everywhere(source, image_positions(target_from_source, target));
     result.coverage.filled = images.filled;
     result.coverage.guessed = images.unknown;
+    std::vector<char> wanted;
+    if (options.max_edges) {
+        wanted = near_matched(target_from_source, source, *options.max_edges);
+        result.coverage.filled =
+            static_cast<Index>(std::count(wanted.begin(), wanted.end(), 1)) - result.coverage.transferred;
+        result.coverage.guessed = 0;  // no edges lead to other components
+    }
     const numerics::ClosestTriangle surface(target.vertices, target.triangles);
     for (Index v = 0; v < source.n_vertices(); ++v) {
         if (target_from_source[v].matched()) continue;
+        if (!wanted.empty() && wanted[static_cast<std::size_t>(v)] == 0) continue;
         const numerics::ClosestPoint point = surface.closest(images.values.row(v).transpose());
         if (!std::isfinite(point.squared_distance)) {
             throw InvalidInput(

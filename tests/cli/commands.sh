@@ -59,6 +59,11 @@ ends 0 deform source.obj half.off --cut 0.4 --shuffle 3 -q
 ends 0 match half.off source.obj --part source --fill -o half.txt -q
 ends 0 match source.obj half.off --fill -o whole.txt -q
 ! grep -q '^-1$' whole.txt || fail "--fill leaves nothing unmatched"
+unmatched() { grep -c '^-1$' "$1" || true; }
+ends 0 match source.obj half.off --method exact --allow-differences -o exact.txt -q
+ends 0 match source.obj half.off --method exact --allow-differences --fill-edges 2 -o near.txt -q
+[ "$(unmatched near.txt)" -gt 0 ] && [ "$(unmatched near.txt)" -lt "$(unmatched exact.txt)" ] || fail "--fill-edges fills those nearby only"
+ends 2 match source.obj half.off --fill-edges 0 -o near.txt
 ends 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"

@@ -3,6 +3,7 @@
 #include "support/expect_error.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/map/complete.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
@@ -53,6 +54,27 @@ TEST(CompleteMap, ComponentsWithoutAMatchTakeTheNearest) {
     EXPECT_EQ(whole.coverage.guessed, 3);
     const Points places = image_positions(whole.target_from_source, grid);
     EXPECT_LT((places.bottomRows(3) - grid.vertices.topRows(3)).norm(), 1e-12);
+}
+
+TEST(CompleteMap, StopsAfterSoManyEdges) {
+    const TriangleMesh grid = make_grid(12, 12);
+    const Adjacency adjacency(grid);
+    std::vector<Index> unmatched;
+    for (Index v = 0; v < grid.n_vertices(); ++v)
+        if (v != 0) unmatched.push_back(v);
+    const Frontiers frontiers = bfs_frontiers(adjacency, 0);
+    const SurfaceMap partial = identity_without(grid, unmatched);
+    for (const int edges : {1, 2, 5, 100}) {
+        const CompletedMap some = complete_map(partial, grid, grid, {.max_edges = edges});
+        for (Index v = 0; v < grid.n_vertices(); ++v)
+            EXPECT_EQ(some.target_from_source[v].matched(),
+                      frontiers.level[static_cast<std::size_t>(v)] <= edges)
+                << v;
+        EXPECT_EQ(some.coverage.transferred, 1);
+        EXPECT_EQ(some.coverage.filled, count_matched(some.target_from_source) - 1);
+    }
+    test::expect_error<InvalidInput>([&] { complete_map(partial, grid, grid, {.max_edges = 0}); },
+                                     "max_edges is 0");
 }
 
 TEST(CompleteMap, RefusesWhatMatchesNothingOrCannotBeMeasured) {
