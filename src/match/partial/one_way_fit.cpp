@@ -40,50 +40,73 @@ Vector trust_in(const BentSource& bent, const Surface& target, const FitTuning& 
 OneWayFit::OneWayFit(const Surface& source, const Surface& target, const FitTuning& tuning)
     : source_(source),
       target_(target),
+      tuning_(tuning),
       laplacian_(laplace_beltrami(source.mesh)),
       on_target_(target.mesh.vertices, target.normals, tuning.normal_weight) {}
 
-BentSource OneWayFit::operator()(FitStart start, const FitTuning& tuning,
-                                 const ProgressRange& progress) const {
-    const Eigen::Index n = source_.mesh.n_vertices();
-    spectral_match::RefinementTuning rigid;
-    rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
-    spectral_match::ElasticFit fit(source_.mesh.vertices, laplacian_, rigid);
-    BentSource bent{std::move(start.image), Points(n, 3), source_.normals, 0, std::move(start.pins)};
-    Vector trust = Vector::Ones(n);
-    const auto hold = [&] {  // what is known against what was seen
-        for (std::size_t v = 0; v < start.pulls.size(); ++v)
-            if (start.pulls[v] == 0) trust[static_cast<Index>(v)] = tuning.min_trust;
+struct OneWayFit::State {
+    BentSource bent;
+    Vector trust;
+    std::vector<char> pulls;
+
+    // What is known, against what was seen.
+    void hold(const FitTuning& tuning) {
+        for (std::size_t v = 0; v < pulls.size(); ++v)
+            if (pulls[v] == 0) trust[static_cast<Index>(v)] *= tuning.min_trust;
         for (const auto& [v, image] : bent.pins) {
             bent.image[at(v)] = image;
             trust[v] = tuning.pin_trust;
         }
-    };
-    for (Eigen::Index v = 0; v < n; ++v) {
-        if (bent.image[at(v)] < 0) trust[v] = tuning.min_trust, bent.image[at(v)] = 0;
-        if (target_.on_boundary[at(bent.image[at(v)])] != 0) trust[v] *= tuning.beyond_trust;
     }
-    hold();
-    bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
-    const double ratio =
-        std::pow(tuning.last_length / tuning.first_length, 1.0 / std::max(tuning.n_rounds - 1, 1));
-    double length = tuning.first_length;
-    for (int round = 0; round < tuning.n_rounds; ++round, length *= ratio) {
-        const Points towards = target_.mesh.vertices(bent.image, Eigen::all);
-        if (round > 0) trust = trust_in(bent, target_, tuning);
-        hold();
-        bent.positions = fit(towards, bent.positions, length,
-                             round == 0 ? tuning.n_first_iterations : tuning.n_iterations, progress, trust);
+};
+
+// Bent already, or at its images, of which each is trusted alike but for those on boundaries.
+OneWayFit::State OneWayFit::begun(FitStart start) const {
+    State state{
+        {std::move(start.image), std::move(start.positions), source_.normals, 0, std::move(start.pins)},
+        Vector::Ones(source_.mesh.n_vertices()),
+        std::move(start.pulls)};
+    BentSource& bent = state.bent;
+    if (bent.positions.rows() > 0) {
         bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
-        parallel_for(at(n), 64, [&](std::size_t v) {
+        state.trust = trust_in(bent, target_, tuning_);
+        state.hold(tuning_);
+        return state;
+    }
+    for (Eigen::Index v = 0; v < state.trust.size(); ++v) {
+        if (bent.image[at(v)] < 0) state.trust[v] = tuning_.min_trust, bent.image[at(v)] = 0;
+        if (target_.on_boundary[at(bent.image[at(v)])] != 0) state.trust[v] *= tuning_.beyond_trust;
+    }
+    state.hold(tuning_);
+    bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
+    return state;
+}
+
+BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) const {
+    spectral_match::RefinementTuning rigid;
+    rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
+    spectral_match::ElasticFit fit(source_.mesh.vertices, laplacian_, rigid);
+    State state = begun(std::move(start));
+    BentSource& bent = state.bent;
+    const double ratio =
+        std::pow(tuning_.last_length / tuning_.first_length, 1.0 / std::max(tuning_.n_rounds - 1, 1));
+    double length = tuning_.first_length;
+    for (int round = 0; round < tuning_.n_rounds; ++round, length *= ratio) {
+        const Points towards = target_.mesh.vertices(bent.image, Eigen::all);
+        bent.positions =
+            fit(towards, bent.positions, length,
+                round == 0 ? tuning_.n_first_iterations : tuning_.n_iterations, progress, state.trust);
+        bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
+        parallel_for(bent.image.size(), 64, [&](std::size_t v) {
             const auto row = static_cast<Eigen::Index>(v);
             bent.image[v] = on_target_.closest(bent.positions.row(row), bent.normals.row(row));
         });
-        hold();
-        progress.reach((round + 1.0) / tuning.n_rounds);
+        state.trust = trust_in(bent, target_, tuning_);
+        state.hold(tuning_);
+        progress.reach((round + 1.0) / tuning_.n_rounds);
     }
     bent.strain = fit.strain(bent.positions);
-    return bent;
+    return std::move(state.bent);
 }
 
 }  // namespace counterpart::partial_match

@@ -23,9 +23,10 @@ struct BentSource {
 /// Where the source starts, and what is known of it.
 struct FitStart {
     std::vector<Index> image;  ///< of each source vertex; -1 = none
-    std::vector<std::pair<Index, Index>>
-        pins;                   ///< source and target vertices: images of each other in the end
-    std::vector<char> pulls{};  ///< per source vertex; none: all of them do
+    /// Source and target vertices: images of each other in the end.
+    std::vector<std::pair<Index, Index>> pins;
+    std::vector<char> pulls{};  ///< whether a source vertex does; none: all of them do
+    Points positions{};         ///< of the source, bent already; none: at its images
 };
 
 /// Steps 5 and 8. Bends the source towards its images, stiff at first, then pliable; after each round the
@@ -36,10 +37,14 @@ class OneWayFit {
     /// Keeps references.
     OneWayFit(const Surface& source, const Surface& target, const FitTuning& tuning);
 
-    BentSource operator()(FitStart start, const FitTuning& tuning, const ProgressRange& progress = {}) const;
+    BentSource operator()(FitStart start, const ProgressRange& progress = {}) const;
 
   private:
+    struct State;
+    State begun(FitStart start) const;
+
     const Surface &source_, &target_;
+    FitTuning tuning_;
     LaplaceBeltrami laplacian_;
     numerics::OrientedNeighbors on_target_;
 };

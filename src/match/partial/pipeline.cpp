@@ -120,7 +120,7 @@ std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index,
         std::vector<Index> start =
             anchored_map(part, whole, fit.anchors, tuning.anchoring, mine.part(0, 0.2));
         watch.lap("anchor");
-        fit.bent = fit_one_way({std::move(start), pins}, tuning.fit, mine.part(0.2, 1));
+        fit.bent = fit_one_way({std::move(start), pins}, mine.part(0.2, 1));
         watch.lap("fit");
         judge(fit, pair, of_part, tuning);
         watch.lap("judge");
@@ -133,11 +133,12 @@ std::vector<Fit> fits(const SamplePair& pair, const std::vector<std::pair<Index,
 
 Finished finish(const SamplePair& pair, BentSource bent, bool part_is_covered, const PartialTuning& tuning,
                 const ProgressRange& progress) {
-    const PartnerMaps seen =
-        partners(pair.source, pair.target, bent, part_is_covered, tuning.overlap, tuning.islands);
-    FitStart start{std::move(bent.image), std::move(bent.pins)};
+    PartnerMaps seen;  // all of a part that is covered has a partner
+    if (!part_is_covered)
+        seen = partners(pair.source, pair.target, bent, part_is_covered, tuning.overlap, tuning.islands);
+    FitStart start{std::move(bent.image), std::move(bent.pins), {}, std::move(bent.positions)};
     for (const Index image : seen.whole_from_part) start.pulls.push_back(image >= 0 ? 1 : 0);
-    bent = OneWayFit(pair.source, pair.target, tuning.finish)(std::move(start), tuning.finish, progress);
+    bent = OneWayFit(pair.source, pair.target, tuning.finish)(std::move(start), progress);
     const OverlapTuning& overlap = part_is_covered ? tuning.finished_overlap : tuning.overlap;
     return {partners(pair.source, pair.target, bent, part_is_covered, overlap, tuning.islands), seen.misfit};
 }
