@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "geodesic/batch_dijkstra.hpp"
 #include "geodesic/dijkstra.hpp"
 #include "geodesic/require.hpp"
 
@@ -15,9 +16,9 @@
 namespace counterpart {
 namespace {
 
-// body(dijkstra, i) for i in [0, count), threaded. Progress is told between the searches of the calling
+// body(search, i) for i in [0, count), threaded. Progress is told between the searches of the calling
 // thread, so that it waits for none of the others.
-template <class Body>
+template <class Search, class Body>
 void for_each_search(const DistanceGraph& graph, std::size_t count, const DistanceOptions& options,
                      const Body& body) {
     const auto caller = std::this_thread::get_id();
@@ -25,9 +26,9 @@ void for_each_search(const DistanceGraph& graph, std::size_t count, const Distan
     report_progress(options.progress, 0);
     with_threads(options.n_threads, [&] {
         parallel_for_with(
-            count, 1, [&] { return geodesic::Dijkstra(graph); },
-            [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
-                body(dijkstra, i);
+            count, 1, [&] { return Search(graph); },
+            [&](Search& search, std::size_t i) {
+                body(search, i);
                 const std::size_t done = ++n_done;
                 if (options.progress && done < count && std::this_thread::get_id() == caller)
                     report_progress(options.progress, static_cast<double>(done) / static_cast<double>(count));
@@ -60,11 +61,15 @@ Matrix distance_rows(const DistanceGraph& graph, std::span<const Index> sources,
                      const DistanceOptions& options) {
     geodesic::require_vertices(graph, sources, "source");
     Matrix rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
-    for_each_search(graph, sources.size(), options, [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
-        dijkstra.search(sources.subspan(i, 1), {});
-        for (Index v = 0; v < graph.n_vertices(); ++v)
-            rows(static_cast<Eigen::Index>(i), v) = dijkstra.distance(v);
-    });
+    using geodesic::BatchDijkstra;
+    const std::vector<BatchDijkstra::Batch> batches = BatchDijkstra::batches(graph, sources);
+    for_each_search<BatchDijkstra>(
+        graph, batches.size(), options, [&](BatchDijkstra& dijkstra, std::size_t b) {
+            dijkstra.search(batches[b].sources);
+            for (std::size_t i = 0; i < batches[b].sources.size(); ++i)
+                for (Index v = 0; v < graph.n_vertices(); ++v)
+                    rows(static_cast<Eigen::Index>(batches[b].numbers[i]), v) = dijkstra.distance(i, v);
+        });
     return rows;
 }
 
@@ -83,7 +88,7 @@ Vector pair_distances(const DistanceGraph& graph, std::span<const std::pair<Inde
     first_of_group.push_back(order.size());
 
     Vector result(static_cast<Eigen::Index>(pairs.size()));
-    for_each_search(
+    for_each_search<geodesic::Dijkstra>(
         graph, first_of_group.size() - 1, options, [&](geodesic::Dijkstra& dijkstra, std::size_t group) {
             std::vector<Index> targets;
             for (std::size_t i = first_of_group[group]; i < first_of_group[group + 1]; ++i)

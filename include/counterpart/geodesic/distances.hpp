@@ -14,8 +14,9 @@
 namespace counterpart {
 
 namespace geodesic {
+class BatchDijkstra;
 class Dijkstra;
-}
+}  // namespace geodesic
 
 struct DistanceGraphOptions {
     /// Also link the two vertices opposite to an edge by the straight line through the two unfolded
@@ -46,6 +47,7 @@ class DistanceGraph {
     std::vector<Link> links(Index vertex) const;
 
   private:
+    friend class geodesic::BatchDijkstra;
     friend class geodesic::Dijkstra;
     struct UndirectedLink {
         Index a = 0, b = 0;

@@ -3,14 +3,13 @@
 #include "match/partial/surface.hpp"
 
 #include "base/parallel.hpp"
-#include "geodesic/dijkstra.hpp"
+#include "geodesic/finite_distance_rows.hpp"
 #include "mesh/edge_table.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -70,23 +69,6 @@ MatrixF lower_bounds(const Surface& surface) {
 
 }  // namespace
 
-MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,
-                             const ProgressRange& progress) {
-    MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
-    std::atomic<std::size_t> n_done = 0;
-    parallel_for_with(
-        sources.size(), 1, [&] { return geodesic::Dijkstra(graph); },
-        [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
-            progress.check();
-            dijkstra.search(sources.subspan(i, 1), {.radius = radius});
-            for (Index v = 0; v < graph.n_vertices(); ++v)
-                rows(static_cast<Eigen::Index>(i), v) =
-                    std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
-            progress.reach(static_cast<double>(++n_done) / static_cast<double>(sources.size()));
-        });
-    return rows;
-}
-
 Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& landmarks,
                  const SurfaceTuning& tuning, const ProgressRange& progress)
     : mesh(std::move(scaled)),
@@ -106,8 +88,7 @@ Surface::Surface(TriangleMesh scaled, int n_samples, const std::vector<Index>& l
     const std::vector<Index> spread = farthest_point_samples(mesh, graph, {.count = n_samples}).vertices;
     samples.insert(samples.end(), spread.begin(), spread.end());
     progress.reach(0.2);
-    rows = distance_rows_within(graph, samples, std::numeric_limits<double>::infinity(),
-                                progress.part(0.2, 0.8));
+    rows = geodesic::finite_distance_rows(graph, samples, unreachable, progress.part(0.2, 0.8));
     between.high = rows(Eigen::all, samples);
     between.low = lower_bounds(*this);
     progress.reach(0.85);

@@ -58,8 +58,4 @@ Surface at_first_samples(const Surface& surface, int n);
 /// The same surface, `factor` times as large: what distances need not be measured again for.
 Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tuning);
 
-/// Rows of distances from vertices, `unreachable` beyond `radius`.
-MatrixF distance_rows_within(const DistanceGraph& graph, std::span<const Index> sources, double radius,
-                             const ProgressRange& progress = {});
-
 }  // namespace counterpart::partial_match

@@ -4,7 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
-#include "geodesic/dijkstra.hpp"
+#include "geodesic/finite_distance_rows.hpp"
 #include "match/spectral/partition.hpp"
 #include "match/spectral/proxy.hpp"
 #include "numerics/symmetric_eigen.hpp"
@@ -37,21 +37,6 @@ TriangleMesh normalized(MeshView mesh) {
     return result;
 }
 
-numerics::MatrixF finite_rows(const DistanceGraph& graph, std::span<const Index> sources,
-                              const ProgressRange& progress) {
-    numerics::MatrixF rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
-    parallel_for_with(
-        sources.size(), 1, [&] { return geodesic::Dijkstra(graph); },
-        [&](geodesic::Dijkstra& dijkstra, std::size_t i) {
-            progress.check();
-            dijkstra.search(sources.subspan(i, 1), {});
-            for (Index v = 0; v < graph.n_vertices(); ++v)
-                rows(static_cast<Eigen::Index>(i), v) =
-                    std::min(static_cast<float>(dijkstra.distance(v)), unreachable);
-        });
-    return rows;
-}
-
 void sample(PreparedShape& shape, const DistanceGraph& graph, const PreparationOptions& options,
             const PreparationTuning& tuning, const ProgressRange& progress) {
     const auto n = static_cast<std::uint64_t>(shape.mesh.n_vertices());
@@ -63,7 +48,8 @@ void sample(PreparedShape& shape, const DistanceGraph& graph, const PreparationO
     shape.cell_of_vertex = std::move(bases.sample_of_vertex);
     for (Index& cell : shape.cell_of_vertex) cell = std::max(cell, 0);  // components without a sample
     const auto n_rows = std::min(static_cast<std::size_t>(tuning.n_distance_samples), shape.samples.size());
-    shape.sample_distances = finite_rows(graph, std::span(shape.samples).first(n_rows), progress);
+    shape.sample_distances =
+        geodesic::finite_distance_rows(graph, std::span(shape.samples).first(n_rows), unreachable, progress);
 }
 
 EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int n_functions,
@@ -87,7 +73,7 @@ void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const Pr
         geodesic::extremities(graph, shape.sample_distances.cast<double>().colwise().mean().transpose());
     std::vector<Index> vertices;
     for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
-    shape.extremity_distances = finite_rows(graph, vertices, progress);
+    shape.extremity_distances = geodesic::finite_distance_rows(graph, vertices, unreachable, progress);
 }
 
 // A large mesh is matched by a proxy, unless that lacks much of it: dust, thin leaves.

@@ -197,6 +197,27 @@ TEST(Distances, StayExactWhereLinkLengthsDifferByManyOrders) {
     EXPECT_EQ(distances_from(DistanceGraph(mesh), 3), Vector::Zero(mesh.n_vertices()));
 }
 
+// Rows are searched for in batches, whose sources lie together or far apart: the same digits as one by one.
+TEST(Distances, RowsAreThoseOfSingleSearches) {
+    const TriangleMesh torus = make_torus(40, 23);
+    TriangleMesh graded = torus;
+    Random random(8);
+    for (Index v = 0; v < graded.n_vertices(); ++v)
+        graded.vertices.row(v) *= std::pow(10, random.uniform(-6, 2));
+    for (const TriangleMesh& mesh :
+         {torus, roughened(torus, 0.2, 3), beside(torus, make_grid(5, 5)), graded}) {
+        const DistanceGraph graph(mesh);
+        std::vector<Index> sources;
+        for (int i = 0; i < 60; ++i) sources.push_back(static_cast<Index>(random.below(mesh.n_vertices())));
+        sources.push_back(sources.front());
+        sources.push_back(mesh.n_vertices() - 1);
+        const Matrix rows = distance_rows(graph, sources);
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            EXPECT_EQ(rows.row(static_cast<Eigen::Index>(i)).transpose(), distances_from(graph, sources[i]))
+                << i;
+    }
+}
+
 TEST(Distances, FromSeveralSourcesIsTheNearest) {
     const DistanceGraph graph(beside(roughened(make_icosphere(3), 0.05, 3), make_torus(8, 5)));
     const std::vector<Index> sources{5, 400, 17, 660};
