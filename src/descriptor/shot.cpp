@@ -66,19 +66,20 @@ void add_to_histogram(const NearPoint& p, const Eigen::Matrix3d& frame, double r
     const Between half(std::acos(std::clamp(local.z() / p.distance, -1.0, 1.0)) / std::numbers::pi * 2 - 0.5);
     const Between shell(p.distance / radius * 2 - 0.5);
     const Between cosine((frame.col(2).dot(p.normal) + 1) / 2 * n_cosines - 0.5);
+    // Rows of a histogram hold the cosines of one sector, half and shell.
+    const std::array<int, 2> shells{std::clamp(shell.below, 0, 1) * n_cosines,
+                                    std::clamp(shell.below + 1, 0, 1) * n_cosines},
+        cosines{std::clamp(cosine.below, 0, n_cosines - 1), std::clamp(cosine.below + 1, 0, n_cosines - 1)};
     for (int a = 0; a < 2; ++a) {
         const int at_sector = (sector.below + a + n_sectors) % n_sectors;
-        const double in_sector = p.area * sector.weight(a);
         for (int h = 0; h < 2; ++h) {
-            const int at_half = at_sector * 2 + std::clamp(half.below + h, 0, 1);
-            const double in_half = in_sector * half.weight(h);
-            for (int s = 0; s < 2; ++s) {
-                float* cosines = histogram + (at_half * 2 + std::clamp(shell.below + s, 0, 1)) * n_cosines;
-                const double in_shell = in_half * shell.weight(s);
+            float* const rows =
+                histogram + (at_sector * 2 + std::clamp(half.below + h, 0, 1)) * 2 * n_cosines;
+            const auto share = static_cast<float>(p.area * sector.weight(a) * half.weight(h));
+            for (int s = 0; s < 2; ++s)
                 for (int c = 0; c < 2; ++c)
-                    cosines[std::clamp(cosine.below + c, 0, n_cosines - 1)] +=
-                        static_cast<float>(in_shell * cosine.weight(c));
-            }
+                    rows[shells[s] + cosines[c]] +=
+                        share * static_cast<float>(shell.weight(s) * cosine.weight(c));
         }
     }
 }

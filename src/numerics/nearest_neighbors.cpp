@@ -66,10 +66,6 @@ class Within {
         return true;
     }
 
-    void sort() {
-        std::sort(found_.begin(), found_.end(),
-                  [](const Neighbor& a, const Neighbor& b) { return a.index < b.index; });
-    }
     std::vector<Neighbor> take() { return std::move(found_); }
 
   private:
@@ -120,7 +116,6 @@ std::vector<Neighbor> NearestNeighbors::closest(const Eigen::RowVector3d& query,
 std::vector<Neighbor> NearestNeighbors::within(const Eigen::RowVector3d& query, double radius) const {
     Within within(radius);
     tree_->search.findNeighbors(within, query.data(), {});
-    within.sort();
     return within.take();
 }
 

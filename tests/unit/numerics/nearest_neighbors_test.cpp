@@ -43,6 +43,8 @@ TEST(NearestNeighbors, AgreesWithBruteForceIncludingTies) {
         std::erase_if(expected, [](const auto& n) { return n.squared_distance > 0.0625; });
         std::sort(expected.begin(), expected.end(),
                   [](const auto& a, const auto& b) { return a.index < b.index; });
+        std::sort(within.begin(), within.end(),
+                  [](const auto& a, const auto& b) { return a.index < b.index; });
         ASSERT_EQ(within.size(), expected.size());
         for (std::size_t i = 0; i < within.size(); ++i) EXPECT_EQ(within[i].index, expected[i].index);
     }
