@@ -58,7 +58,8 @@ template <int lanes>
             const float* b = right.panel(q) + start * right.width;
             for (Index k = 0; k < n; ++k, a += tile_rows, b += width * lanes) {
                 Floats term[width];
-                for (int w = 0; w < width; ++w) __builtin_memcpy(&term[w], b + w * lanes, sizeof(Floats));
+                for (int w = 0; w < width; ++w)
+                    term[w] = *reinterpret_cast<const typename Simd<lanes>::FloatsAnywhere*>(b + w * lanes);
                 for (int r = 0; r < tile_rows; ++r)
                     for (int w = 0; w < width; ++w) sum[r][w] += a[r] * term[w];
             }

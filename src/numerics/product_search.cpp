@@ -84,7 +84,8 @@ template <int lanes>
             const float* b = y.panel(q);
             for (Index d = 0; d < x.dimension; ++d, a += tile_rows, b += width * lanes) {
                 Floats right[width];
-                for (int w = 0; w < width; ++w) __builtin_memcpy(&right[w], b + w * lanes, sizeof(Floats));
+                for (int w = 0; w < width; ++w)
+                    right[w] = *reinterpret_cast<const typename Simd<lanes>::FloatsAnywhere*>(b + w * lanes);
                 for (int r = 0; r < tile_rows; ++r)
                     for (int w = 0; w < width; ++w) sum[r][w] += a[r] * right[w];
             }
@@ -94,17 +95,15 @@ template <int lanes>
                 const auto slot = static_cast<std::size_t>((p - first_panel) * tile_rows + r) * stride;
                 for (int w = 0; w < width; ++w) {
                     const Floats for_row = sum[r][w] - column_bias[w], for_column = sum[r][w] - row_bias;
-                    float* const value = row_value.data() + slot + static_cast<std::size_t>(w * lanes);
-                    std::int32_t* const index = row_index.data() + slot + static_cast<std::size_t>(w * lanes);
-                    Floats best;
-                    Ints partner;
-                    __builtin_memcpy(&best, value, sizeof(Floats));
-                    __builtin_memcpy(&partner, index, sizeof(Ints));
+                    typename Simd<lanes>::FloatsAnywhere& best =
+                        *reinterpret_cast<typename Simd<lanes>::FloatsAnywhere*>(
+                            row_value.data() + slot + static_cast<std::size_t>(w * lanes));
+                    typename Simd<lanes>::IntsAnywhere& partner =
+                        *reinterpret_cast<typename Simd<lanes>::IntsAnywhere*>(
+                            row_index.data() + slot + static_cast<std::size_t>(w * lanes));
                     const Ints row_wins = for_row > best;
                     best = row_wins ? for_row : best;
                     partner = row_wins ? here[w] : partner;
-                    __builtin_memcpy(value, &best, sizeof(Floats));
-                    __builtin_memcpy(index, &partner, sizeof(Ints));
                     const Ints column_wins = for_column > column_best[w];
                     column_best[w] = column_wins ? for_column : column_best[w];
                     column_index[w] = column_wins ? Ints{} + row : column_index[w];

@@ -44,7 +44,9 @@ template <int lanes, int columns>
     __builtin_memcpy(sum, sums, sizeof sum);
     for (Eigen::Index k = 0; k < n; ++k) {
         Doubles row[n_vectors];
-        __builtin_memcpy(row, b + k * group, sizeof row);
+        for (int w = 0; w < n_vectors; ++w)
+            row[w] = *reinterpret_cast<const typename Simd<lanes>::DoublesAnywhere*>(b + k * group +
+                                                                                     w * (lanes / 2));
         for (int c = 0; c < columns; ++c)
             for (int w = 0; w < n_vectors; ++w) sum[c][w] += a[c * stride + k] * row[w];
     }
@@ -77,7 +79,9 @@ template <int lanes, int n_vectors>
     Doubles sum[group][n_vectors] = {};
     for (Eigen::Index k = 0; k < inner; ++k) {
         Doubles column[n_vectors];
-        __builtin_memcpy(column, a + k * stride, sizeof column);
+        for (int w = 0; w < n_vectors; ++w)
+            column[w] = *reinterpret_cast<const typename Simd<lanes>::DoublesAnywhere*>(a + k * stride +
+                                                                                        w * (lanes / 2));
         for (Eigen::Index j = 0; j < group; ++j)
             for (int w = 0; w < n_vectors; ++w) sum[j][w] += column[w] * b[k * group + j];
     }
