@@ -12,7 +12,8 @@ struct FillArguments {
     std::optional<int> max_edges{};  ///< see CompleteOptions
 };
 
-/// Unmatched vertices get images that follow those around them; matched ones keep theirs.
+/// Unmatched vertices get images that follow those around them; matched ones keep theirs. The inverse stays
+/// that of what was matched.
 void fill_map(MatchOutcome& outcome, const MatchInput& input, const FillArguments& arguments);
 
 }  // namespace counterpart::cli

@@ -196,10 +196,10 @@ void run(const MatchCommand& command) {
     if (command.initial.empty()) say_expected_cost(input, command.method);
     MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
                                                    : refine_map(input, load_map(command.initial, pair));
-    if (outcome.failure.empty()) fill_map(outcome, input, command.fill);
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
-    const Judgment judgment = judge(outcome, pair);
+    const Judgment judgment = judge(outcome, pair);  // of what was matched, not of what fills the gaps
+    if (outcome.failure.empty()) fill_map(outcome, input, command.fill);
     if (outcome.failure.empty()) {
         say(command.common, judgment);
         write_outputs(command, outcome);
@@ -257,13 +257,16 @@ void add_match(CLI::App& program) {
                      "Number of eigenfunctions of --functional-map")
         ->check(whole_number(1, 1000))
         ->capture_default_str();
-    match->add_flag("--fill", command->fill.all,
-                    "Give vertices without a partner an image that follows those around them, instead of -1");
+    CLI::Option* const fill = match->add_flag(
+        "--fill", command->fill.all,
+        "Give vertices without a partner an image that follows those around them, instead of -1; --inverse "
+        "stays as it is");
     match
         ->add_option("--fill-edges", command->fill.max_edges,
                      "The same, but only for vertices at most this many edges from one with a partner")
         ->option_text("N")
-        ->check(whole_number(1, 1'000'000));
+        ->check(whole_number(1, 1'000'000))
+        ->excludes(fill);
     const auto exact = command->exact = std::make_shared<ExactArguments>();
     const auto spectral = std::make_shared<SpectralArguments>();
     const auto partial = std::make_shared<PartialArguments>();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "geodesic/batch_dijkstra.hpp"
 
+#include "base/parallel.hpp"
 #include "numerics/simd.hpp"
 
 #include <algorithm>
@@ -91,9 +92,11 @@ std::vector<BatchDijkstra::Batch> BatchDijkstra::batches(const DistanceGraph& gr
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t i, std::size_t j) { return rank(i) < rank(j); });
+    const std::size_t size =
+        std::clamp(sources.size() / static_cast<std::size_t>(threads::n_allowed()), std::size_t{1}, width);
     std::vector<Batch> result;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i % width == 0) result.emplace_back();
+        if (i % size == 0) result.emplace_back();
         result.back().sources.push_back(sources[order[i]]);
         result.back().numbers.push_back(order[i]);
     }
@@ -110,8 +113,8 @@ void BatchDijkstra::search(std::span<const Index> sources) {
     for (; n_queued_ > 0; ++current_) settle_current_bucket();
 }
 
-// Fronts of sources farther behind may lie beyond the ring of buckets: they wait in its last one. In whatever
-// order vertices are expanded, they come to the same distances.
+// A distance that came along with a smaller one may lie beyond the ring of buckets: it waits in the last one.
+// In whatever order vertices are expanded, they come to the same distances.
 void BatchDijkstra::queue(std::size_t rank, double distance) {
     if (waits_at_[rank] <= distance) return;
     waits_at_[rank] = distance;
@@ -143,7 +146,7 @@ void BatchDijkstra::settle_current_bucket() {
 }
 
 void BatchDijkstra::expand(const Entry& entry) {
-    if (entry.distance != waits_at_[entry.rank]) return;  // passed on before, with a lesser one
+    if (entry.distance != waits_at_[entry.rank]) return;  // passed on before, or waits elsewhere
     waits_at_[entry.rank] = unreached;
     const auto first = static_cast<std::size_t>(graph_.first_[entry.rank]);
     const Links links{static_cast<std::size_t>(graph_.first_[entry.rank + 1]) - first,

@@ -11,12 +11,12 @@
 
 namespace counterpart::geodesic {
 
-/// Shortest paths from several sources at once, each for itself: to the last digit what Dijkstra finds from
-/// one after the other, sooner the closer together they lie. One object per thread.
+/// Shortest paths from up to eight sources at once: bit for bit those of eight single searches, sooner the
+/// closer together the sources lie. One object per thread.
 ///
-/// The queue is that of Dijkstra. A vertex waits there at the least distance that was lowered, and passes all
-/// of its distances on together. Far from the sources their fronts come from the same side, so that nearly
-/// every vertex is expanded once; between them it is once for each front that arrives.
+/// The queue is that of Dijkstra. A vertex waits in it at the least of its distances that is not passed on
+/// yet; when it is expanded, all eight are. Between the sources that is once for each front that arrives,
+/// elsewhere on bodies twice or three times.
 class BatchDijkstra {
   public:
     static constexpr std::size_t width = 8;  ///< sources at once
@@ -28,7 +28,8 @@ class BatchDijkstra {
         std::vector<Index> sources;        ///< at most `width`
         std::vector<std::size_t> numbers;  ///< of these among all sources
     };
-    /// Sources in batches that lie close together.
+    /// Sources in batches that lie close together; smaller ones where that occupies more threads. To be
+    /// called with the threads that will search.
     static std::vector<Batch> batches(const DistanceGraph& graph, std::span<const Index> sources);
 
     /// Forgets everything, then finds the distances from each of at most `width` sources.

@@ -62,7 +62,8 @@ Matrix distance_rows(const DistanceGraph& graph, std::span<const Index> sources,
     geodesic::require_vertices(graph, sources, "source");
     Matrix rows(static_cast<Eigen::Index>(sources.size()), graph.n_vertices());
     using geodesic::BatchDijkstra;
-    const std::vector<BatchDijkstra::Batch> batches = BatchDijkstra::batches(graph, sources);
+    const std::vector<BatchDijkstra::Batch> batches =
+        with_threads(options.n_threads, [&] { return BatchDijkstra::batches(graph, sources); });
     for_each_search<BatchDijkstra>(
         graph, batches.size(), options, [&](BatchDijkstra& dijkstra, std::size_t b) {
             dijkstra.search(batches[b].sources);

@@ -15,7 +15,7 @@ namespace counterpart::geodesic {
 template <class Use>
 void for_each_row(const DistanceGraph& graph, std::span<const Index> sources, const DistanceOptions& options,
                   const Use& use) {
-    constexpr std::size_t block = 32;
+    constexpr std::size_t block = 64;  // of rows: enough for eight threads
     const auto share = [&](std::size_t n) {
         return static_cast<double>(n) / static_cast<double>(sources.size());
     };

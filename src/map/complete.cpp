@@ -49,19 +49,19 @@ CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source,
     if (result.coverage.transferred == source.n_vertices()) return result;
     const mesh::FillResult images =
         mesh::fill_everywhere(source, image_positions(target_from_source, target));
-    result.coverage.filled = images.filled;
-    result.coverage.guessed = images.unknown;
-    std::vector<char> wanted;
-    if (options.max_edges) {
+    std::vector<char> wanted(target_from_source.image.size(), 1);
+    if (options.max_edges) {  // no edges lead to components without a match
         wanted = near_matched(target_from_source, source, *options.max_edges);
         result.coverage.filled =
             static_cast<Index>(std::count(wanted.begin(), wanted.end(), 1)) - result.coverage.transferred;
-        result.coverage.guessed = 0;  // no edges lead to other components
+    } else {
+        result.coverage.filled = images.filled;
+        result.coverage.guessed = images.unknown;
     }
     const numerics::ClosestTriangle surface(target.vertices, target.triangles);
     for (Index v = 0; v < source.n_vertices(); ++v) {
         if (target_from_source[v].matched()) continue;
-        if (!wanted.empty() && wanted[static_cast<std::size_t>(v)] == 0) continue;
+        if (wanted[static_cast<std::size_t>(v)] == 0) continue;
         const numerics::ClosestPoint point = surface.closest(images.values.row(v).transpose());
         if (!std::isfinite(point.squared_distance)) {
             throw InvalidInput(

@@ -41,6 +41,7 @@ std::optional<HangingVertex> find_hanging_vertex(const TetrahedralMesh& mesh) {
         const Eigen::RowVector3d middle = (at(0) + at(1) + at(2)) / 3;
         const double radius =
             std::max({(at(0) - middle).norm(), (at(1) - middle).norm(), (at(2) - middle).norm()});
+        Index hanging = -1;
         for (const auto& near : tree.within(middle, radius)) {
             const Index v = on_boundary[static_cast<std::size_t>(near.index)];
             if (std::find(corners.begin(), corners.end(), v) != corners.end() ||
@@ -50,8 +51,9 @@ std::optional<HangingVertex> find_hanging_vertex(const TetrahedralMesh& mesh) {
                 numerics::closest_on_triangle(mesh.vertices.row(v), at(0), at(1), at(2));
             const bool at_corner = closest.weights.maxCoeff() > 1 - rounding;
             if (!at_corner && closest.squared_distance <= rounding * radius * rounding * radius)
-                return HangingVertex{v, face.face / 4};
+                hanging = hanging < 0 ? v : std::min(hanging, v);
         }
+        if (hanging >= 0) return HangingVertex{hanging, face.face / 4};
     }
     return std::nullopt;
 }

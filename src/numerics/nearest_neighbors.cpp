@@ -50,7 +50,7 @@ class Closest {
     std::vector<Neighbor> found_;
 };
 
-// Everything up to a distance, by index.
+// Everything up to a distance, in the order of the tree.
 class Within {
   public:
     using DistanceType = double;
@@ -65,6 +65,7 @@ class Within {
         if (squared_distance < bound_) found_.push_back({index, squared_distance});
         return true;
     }
+    void sort() {}
 
     std::vector<Neighbor> take() { return std::move(found_); }
 

@@ -26,7 +26,7 @@ class NearestNeighbors {
     Neighbor closest(const Eigen::RowVector3d& query) const;
     /// The `count` closest points (fewer if there are fewer), nearest first, ties by index.
     std::vector<Neighbor> closest(const Eigen::RowVector3d& query, int count) const;
-    /// All points within `radius`, those that lie together one after the other.
+    /// All points within `radius`, in no particular order, but always the same one.
     std::vector<Neighbor> within(const Eigen::RowVector3d& query, double radius) const;
 
   private:

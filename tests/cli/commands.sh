@@ -64,6 +64,10 @@ ends 0 match source.obj half.off --method exact --allow-differences -o exact.txt
 ends 0 match source.obj half.off --method exact --allow-differences --fill-edges 2 -o near.txt -q
 [ "$(unmatched near.txt)" -gt 0 ] && [ "$(unmatched near.txt)" -lt "$(unmatched exact.txt)" ] || fail "--fill-edges fills those nearby only"
 ends 2 match source.obj half.off --fill-edges 0 -o near.txt
+ends 2 match source.obj half.off --fill --fill-edges 1 -o near.txt
+ends 0 match source.obj half.off --method exact --allow-differences -o exact.txt --inverse back.txt -q
+ends 0 match source.obj half.off --method exact --allow-differences --fill -o filled.txt --inverse filled_back.txt -q
+cmp -s back.txt filled_back.txt || fail "what fills gaps displaces partners in the inverse"
 ends 0 deform source.obj target.off --bend 30 --twist 20 --move --shuffle 3 --truth truth.txt -q
 [ ! -s err ] || fail "--quiet was not quiet"
 [ "$(wc -l < truth.txt)" -eq "$(grep -c '^v' source.obj)" ] || fail "the true map has another length than the mesh"

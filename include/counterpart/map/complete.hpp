@@ -9,7 +9,8 @@
 
 namespace counterpart {
 
-/// Where vertices got their images or attributes from; the three sum to the number of vertices.
+/// Where vertices got their images or attributes from; the three sum to the number of vertices, less those
+/// that CompleteOptions leaves unmatched.
 struct Coverage {
     Index transferred = 0;  ///< from the source, through the map
     Index filled = 0;       ///< unmatched: extended from the vertices around them
@@ -17,13 +18,14 @@ struct Coverage {
 };
 
 struct CompleteOptions {
-    /// Only vertices at most this many edges from a matched one get an image, 1 ..; none: all vertices do.
+    /// Only vertices at most this many edges from a matched one get an image, 1 .., the same that they get
+    /// without a limit; none: all vertices do.
     std::optional<int> max_edges{};
 };
 
 struct CompletedMap {
     SurfaceMap target_from_source;
-    Coverage coverage;  ///< of the source's vertices; with max_edges the rest stays unmatched
+    Coverage coverage;  ///< of the source's vertices
 };
 
 /// Gives unmatched vertices an image: the harmonic extension of the images around them, projected onto the

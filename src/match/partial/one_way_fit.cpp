@@ -50,9 +50,11 @@ struct OneWayFit::State {
     std::vector<char> pulls;
 
     // What is known, against what was seen.
-    void hold(const FitTuning& tuning) {
+    void apply_known(const FitTuning& tuning) {
         for (std::size_t v = 0; v < pulls.size(); ++v)
-            if (pulls[v] == 0) trust[static_cast<Index>(v)] *= tuning.min_trust;
+            if (pulls[v] == 0)
+                trust[static_cast<Index>(v)] =
+                    std::max(tuning.held_share * trust[static_cast<Index>(v)], tuning.least_trust);
         for (const auto& [v, image] : bent.pins) {
             bent.image[at(v)] = image;
             trust[v] = tuning.pin_trust;
@@ -61,23 +63,23 @@ struct OneWayFit::State {
 };
 
 // Bent already, or at its images, of which each is trusted alike but for those on boundaries.
-OneWayFit::State OneWayFit::begun(FitStart start) const {
+OneWayFit::State OneWayFit::start_state(FitStart start) const {
     State state{
         {std::move(start.image), std::move(start.positions), source_.normals, 0, std::move(start.pins)},
         Vector::Ones(source_.mesh.n_vertices()),
         std::move(start.pulls)};
     BentSource& bent = state.bent;
-    if (bent.positions.rows() > 0) {
-        bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
-        state.trust = trust_in(bent, target_, tuning_);
-        state.hold(tuning_);
-        return state;
-    }
     for (Eigen::Index v = 0; v < state.trust.size(); ++v) {
         if (bent.image[at(v)] < 0) state.trust[v] = tuning_.min_trust, bent.image[at(v)] = 0;
         if (target_.on_boundary[at(bent.image[at(v)])] != 0) state.trust[v] *= tuning_.beyond_trust;
     }
-    state.hold(tuning_);
+    if (bent.positions.rows() > 0) {
+        bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
+        state.trust = trust_in(bent, target_, tuning_);
+        state.apply_known(tuning_);
+        return state;
+    }
+    state.apply_known(tuning_);
     bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
     return state;
 }
@@ -86,7 +88,7 @@ BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) 
     spectral_match::RefinementTuning rigid;
     rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
     spectral_match::ElasticFit fit(source_.mesh.vertices, laplacian_, rigid);
-    State state = begun(std::move(start));
+    State state = start_state(std::move(start));
     BentSource& bent = state.bent;
     const double ratio =
         std::pow(tuning_.last_length / tuning_.first_length, 1.0 / std::max(tuning_.n_rounds - 1, 1));
@@ -102,7 +104,7 @@ BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) 
             bent.image[v] = on_target_.closest(bent.positions.row(row), bent.normals.row(row));
         });
         state.trust = trust_in(bent, target_, tuning_);
-        state.hold(tuning_);
+        state.apply_known(tuning_);
         progress.reach((round + 1.0) / tuning_.n_rounds);
     }
     bent.strain = fit.strain(bent.positions);

@@ -25,7 +25,7 @@ struct FitStart {
     std::vector<Index> image;  ///< of each source vertex; -1 = none
     /// Source and target vertices: images of each other in the end.
     std::vector<std::pair<Index, Index>> pins;
-    std::vector<char> pulls{};  ///< whether a source vertex does; none: all of them do
+    std::vector<char> pulls{};  ///< whether each source vertex pulls; empty: all do
     Points positions{};         ///< of the source, bent already; none: at its images
 };
 
@@ -41,7 +41,7 @@ class OneWayFit {
 
   private:
     struct State;
-    State begun(FitStart start) const;
+    State start_state(FitStart start) const;
 
     const Surface &source_, &target_;
     FitTuning tuning_;

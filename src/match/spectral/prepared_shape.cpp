@@ -41,15 +41,16 @@ void sample(PreparedShape& shape, const DistanceGraph& graph, const PreparationO
             const PreparationTuning& tuning, const ProgressRange& progress) {
     const auto n = static_cast<std::uint64_t>(shape.mesh.n_vertices());
     const Index first = options.seed == 0 ? -1 : static_cast<Index>(Random(options.seed).below(n));
-    FarthestPointSamples bases = farthest_point_samples(
-        shape.mesh, graph,
-        {.count = static_cast<Index>(options.n_samples), .first = first, .progress = progress.callback()});
+    FarthestPointSamples bases = farthest_point_samples(shape.mesh, graph,
+                                                        {.count = static_cast<Index>(options.n_samples),
+                                                         .first = first,
+                                                         .progress = progress.part(0, 0.5).callback()});
     shape.samples = std::move(bases.vertices);
     shape.cell_of_vertex = std::move(bases.sample_of_vertex);
     for (Index& cell : shape.cell_of_vertex) cell = std::max(cell, 0);  // components without a sample
     const auto n_rows = std::min(static_cast<std::size_t>(tuning.n_distance_samples), shape.samples.size());
-    shape.sample_distances =
-        geodesic::finite_distance_rows(graph, std::span(shape.samples).first(n_rows), unreachable, progress);
+    shape.sample_distances = geodesic::finite_distance_rows(graph, std::span(shape.samples).first(n_rows),
+                                                            unreachable, progress.part(0.5, 1));
 }
 
 EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int n_functions,
@@ -171,8 +172,7 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     progress.reach(0.2);
     const DistanceGraph graph(shape.mesh);
     sample(shape, graph, options, tuning, progress.part(0.2, 0.3));
-    find_extremities(shape, graph, progress);
-    progress.reach(0.35);
+    find_extremities(shape, graph, progress.part(0.3, 0.35));
     shape.laplacian = laplace_beltrami(shape.mesh);
     shape.basis = basis_of(shape, graph, options.n_functions, tuning, progress.part(0.4, 0.9));
     progress.reach(0.9);
