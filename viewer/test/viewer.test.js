@@ -46,9 +46,10 @@ async function stagePicture(page, name) {
   return page.screenshot({ path: join(screenshots, `${name}.png`) });
 }
 
-/** Color of a pixel of the overlay. */
+/** Color of a pixel of the overlay, once it is drawn: what changes is drawn in the next frame. */
 const overlayPixel = (page, at) =>
-  page.evaluate(({ x, y }) => {
+  page.evaluate(async ({ x, y }) => {
+    await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
     const canvas = document.getElementById("overlay");
     const box = canvas.getBoundingClientRect();
     const scale = canvas.width / box.width;
