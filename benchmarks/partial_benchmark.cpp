@@ -111,9 +111,7 @@ PartialResult by_automatic(const TriangleMesh& source, const TriangleMesh& targe
 VertexMap filled(const VertexMap& map, const TriangleMesh& source, const TriangleMesh& target,
                  int max_edges) {
     if (max_edges == 0 || count_matched(map) == 0) return map;
-    return nearest_corners(complete_map(surface_map_of(map, target), source, target, {.max_edges = max_edges})
-                               .target_from_source,
-                           target);
+    return complete_map(map, source, target, {.max_edges = max_edges});
 }
 
 Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,

@@ -14,19 +14,12 @@ void fill_map(MatchOutcome& outcome, const MatchInput& input, const FillArgument
     if (!outcome.source_from_target) outcome.source_from_target = invert(found);
     const Index n_found = count_matched(found);
     if (n_found == found.source_size()) return;
-    const SurfaceMap known = surface_map_of(found, input.target);
-    if (count_matched(known) == 0) {
+    if (n_found == 0) {
         outcome.messages.push_back("nothing to fill from: no vertex has a partner");
         return;
     }
-    const SurfaceMap completed =
-        complete_map(known, input.source, input.target, {.max_edges = arguments.max_edges})
-            .target_from_source;
-    const VertexMap corners = nearest_corners(completed, input.target);
-    std::vector<Index> image = found.image();
-    for (std::size_t v = 0; v < image.size(); ++v)
-        if (image[v] == VertexMap::unmatched) image[v] = corners[static_cast<Index>(v)];
-    outcome.target_from_source = VertexMap(std::move(image), input.target.n_vertices());
+    outcome.target_from_source =
+        complete_map(found, input.source, input.target, {.max_edges = arguments.max_edges});
     const Index n_filled = count_matched(outcome.target_from_source) - n_found;
     outcome.messages.push_back(fmt::format("{} unmatched vertices filled from their neighbors", n_filled));
     const Index n_before = outcome.details.value("filled_vertices", 0);  // by auto, between those it found

@@ -199,8 +199,8 @@ void run(const MatchCommand& command) {
     watch.lap("match");
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
     const Judgment judgment = judge(outcome, pair);  // of what was matched, not of what fills the gaps
-    if (outcome.failure.empty()) fill_map(outcome, input, command.fill);
     if (outcome.failure.empty()) {
+        fill_map(outcome, input, command.fill);
         say(command.common, judgment);
         write_outputs(command, outcome);
         write_functional_map(command, outcome, source, target);

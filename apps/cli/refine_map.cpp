@@ -33,10 +33,8 @@ Vector round_trip_confidence(const ZoomOutResult& maps, const TriangleMesh& sour
 
 VertexMap completed(const LoadedMap& map, const TriangleMesh& source, const TriangleMesh& target) {
     if (count_matched(map.vertices) == source.n_vertices()) return map.vertices;
-    return nearest_corners(
-        complete_map(map.points ? *map.points : surface_map_of(map.vertices, target), source, target)
-            .target_from_source,
-        target);
+    if (!map.points) return complete_map(map.vertices, source, target);
+    return nearest_corners(complete_map(*map.points, source, target).target_from_source, target);
 }
 
 }  // namespace

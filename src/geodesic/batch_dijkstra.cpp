@@ -76,7 +76,7 @@ BatchDijkstra::BatchDijkstra(const DistanceGraph& graph)
     : graph_(graph),
       distance_(width * static_cast<std::size_t>(graph.n_vertices()), unreached),
       waits_at_(static_cast<std::size_t>(graph.n_vertices()), unreached),
-      buckets_(graph.n_buckets_) {
+      queue_(graph) {
     Index most_links = 0;
     for (std::size_t r = 0; r + 1 < graph.first_.size(); ++r)
         most_links = std::max(most_links, graph.first_[r + 1] - graph.first_[r]);
@@ -105,47 +105,24 @@ std::vector<BatchDijkstra::Batch> BatchDijkstra::batches(const DistanceGraph& gr
 
 void BatchDijkstra::search(std::span<const Index> sources) {
     std::fill(distance_.begin(), distance_.end(), unreached);
-    current_ = 0;
+    queue_.restart();
     for (std::size_t i = 0; i < sources.size(); ++i) {
         distance_[width * rank_of(sources[i]) + i] = 0;
         queue(rank_of(sources[i]), 0);
     }
-    for (; n_queued_ > 0; ++current_) settle_current_bucket();
+    for (; !queue_.empty(); queue_.next_bucket())
+        queue_.settle_bucket([&](const BucketQueue::Entry& entry) { expand(entry); });
 }
 
-// A distance that came along with a smaller one may lie beyond the ring of buckets: it waits in the last one.
-// In whatever order vertices are expanded, they come to the same distances.
+// A distance that came along with a smaller one may come out of the queue early. In whatever order vertices
+// are expanded, they come to the same distances.
 void BatchDijkstra::queue(std::size_t rank, double distance) {
     if (waits_at_[rank] <= distance) return;
     waits_at_[rank] = distance;
-    const std::uint64_t number = std::min(static_cast<std::uint64_t>(distance * graph_.inverse_bucket_width_),
-                                          current_ + buckets_.size() - 1);
-    std::vector<Entry>& entries = buckets_[number & (buckets_.size() - 1)];
-    entries.push_back({distance, rank});
-    if (graph_.ordered_buckets_ && number == current_)
-        std::push_heap(entries.begin(), entries.end(), farther);
-    ++n_queued_;
+    queue_.push({distance, rank});
 }
 
-void BatchDijkstra::settle_current_bucket() {
-    std::vector<Entry>& entries = buckets_[current_ & (buckets_.size() - 1)];
-    if (graph_.ordered_buckets_) {
-        std::make_heap(entries.begin(), entries.end(), farther);
-        while (!entries.empty()) {
-            std::pop_heap(entries.begin(), entries.end(), farther);
-            const Entry nearest = entries.back();
-            entries.pop_back();
-            --n_queued_;
-            expand(nearest);
-        }
-        return;
-    }
-    for (std::size_t i = 0; i < entries.size(); ++i) expand(Entry(entries[i]));  // may append
-    n_queued_ -= entries.size();
-    entries.clear();
-}
-
-void BatchDijkstra::expand(const Entry& entry) {
+void BatchDijkstra::expand(const BucketQueue::Entry& entry) {
     if (entry.distance != waits_at_[entry.rank]) return;  // passed on before, or waits elsewhere
     waits_at_[entry.rank] = unreached;
     const auto first = static_cast<std::size_t>(graph_.first_[entry.rank]);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "geodesic/bucket_queue.hpp"
+
 #include <counterpart/geodesic/distances.hpp>
 
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ namespace counterpart::geodesic {
 /// Shortest paths from up to eight sources at once: bit for bit those of eight single searches, sooner the
 /// closer together the sources lie. One object per thread.
 ///
-/// The queue is that of Dijkstra. A vertex waits in it at the least of its distances that is not passed on
+/// A vertex waits in the queue at the least of its distances that is not passed on
 /// yet; when it is expanded, all eight are. Between the sources that is once for each front that arrives,
 /// elsewhere on bodies twice or three times.
 class BatchDijkstra {
@@ -39,26 +40,17 @@ class BatchDijkstra {
     double distance(std::size_t i, Index vertex) const { return distance_[width * rank_of(vertex) + i]; }
 
   private:
-    struct Entry {
-        double distance = 0;
-        std::size_t rank = 0;
-    };
-    static bool farther(const Entry& a, const Entry& b) { return a.distance > b.distance; }
-
     std::size_t rank_of(Index vertex) const {
         return static_cast<std::size_t>(graph_.rank_of_vertex_[static_cast<std::size_t>(vertex)]);
     }
     void queue(std::size_t rank, double distance);
-    void settle_current_bucket();
-    void expand(const Entry& entry);
+    void expand(const BucketQueue::Entry& entry);
 
     const DistanceGraph& graph_;
     std::vector<double> distance_;  // `width` for each rank
     std::vector<double> waits_at_;  // by rank: the least distance that is not passed on yet, or `unreached`
     std::vector<double> lowered_;   // per link of the vertex that is expanded
-    std::vector<std::vector<Entry>> buckets_;
-    std::uint64_t current_ = 0;
-    std::size_t n_queued_ = 0;
+    BucketQueue queue_;
 };
 
 }  // namespace counterpart::geodesic

@@ -8,14 +8,11 @@ namespace counterpart::geodesic {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr auto farther = [](const auto& a, const auto& b) { return a.distance > b.distance; };
 
 }  // namespace
 
 Dijkstra::Dijkstra(const DistanceGraph& graph)
-    : graph_(graph),
-      distance_(static_cast<std::size_t>(graph.n_vertices()), infinity),
-      buckets_(graph.n_buckets_) {}
+    : graph_(graph), distance_(static_cast<std::size_t>(graph.n_vertices()), infinity), queue_(graph) {}
 
 void Dijkstra::search(std::span<const Index> sources, const Limits& limits) {
     forget();
@@ -39,52 +36,32 @@ void Dijkstra::forget() {
 }
 
 void Dijkstra::grow(std::span<const Index> sources, const Limits& limits) {
-    current_ = 0;
+    queue_.restart();
     for (const Index source : sources)
         if (distance_[rank_of(source)] > 0) lower(rank_of(source), 0);
     std::vector<Index> open_targets(limits.targets.begin(), limits.targets.end());
-    for (; n_queued_ > 0; ++current_) {
-        settle_current_bucket(limits.radius);
+    for (; !queue_.empty(); queue_.next_bucket()) {
+        queue_.settle_bucket([&](const BucketQueue::Entry& entry) { expand(entry, limits.radius); });
         // Where the search did not get yet, the distance is infinite or lies in a later bucket.
         while (!open_targets.empty()) {
             const double reached = distance(open_targets.back());
-            if (reached == infinity || bucket_of(reached) > current_) break;
+            if (reached == infinity || !queue_.has_reached(reached)) break;
             open_targets.pop_back();
         }
         if (!limits.targets.empty() && open_targets.empty()) break;
     }
-    drop_queue();
+    // After an early stop: what is still queued was reached, but perhaps not over the shortest path.
+    queue_.clear([&](const BucketQueue::Entry& entry) {
+        if (entry.distance == distance_[entry.rank]) distance_[entry.rank] = infinity;
+    });
 }
 
 void Dijkstra::lower(std::size_t rank, double distance) {
     distance_[rank] = distance;
-    const std::uint64_t number = bucket_of(distance);
-    std::vector<Entry>& entries = bucket(number);
-    entries.push_back({distance, rank});
-    if (graph_.ordered_buckets_ && number == current_)
-        std::push_heap(entries.begin(), entries.end(), farther);
-    ++n_queued_;
+    queue_.push({distance, rank});
 }
 
-void Dijkstra::settle_current_bucket(double radius) {
-    std::vector<Entry>& entries = bucket(current_);
-    if (graph_.ordered_buckets_) {
-        std::make_heap(entries.begin(), entries.end(), farther);
-        while (!entries.empty()) {
-            std::pop_heap(entries.begin(), entries.end(), farther);
-            const Entry nearest = entries.back();
-            entries.pop_back();
-            --n_queued_;
-            expand(nearest, radius);
-        }
-        return;
-    }
-    for (std::size_t i = 0; i < entries.size(); ++i) expand(Entry(entries[i]), radius);  // may append
-    n_queued_ -= entries.size();
-    entries.clear();
-}
-
-void Dijkstra::expand(const Entry& entry, double radius) {
+void Dijkstra::expand(const BucketQueue::Entry& entry, double radius) {
     if (entry.distance > distance_[entry.rank]) return;  // reached over a shorter path since
     visited_ranks_.push_back(entry.rank);
     const auto end = static_cast<std::size_t>(graph_.first_[entry.rank + 1]);
@@ -92,17 +69,6 @@ void Dijkstra::expand(const Entry& entry, double radius) {
         const double through = entry.distance + graph_.length_[i];
         const auto to = static_cast<std::size_t>(graph_.to_[i]);
         if (through < distance_[to] && through <= radius) lower(to, through);
-    }
-}
-
-// After an early stop: what is still queued was reached, but perhaps not over the shortest path.
-void Dijkstra::drop_queue() {
-    for (; n_queued_ > 0; ++current_) {
-        std::vector<Entry>& entries = bucket(current_);
-        for (const Entry& entry : entries)
-            if (entry.distance == distance_[entry.rank]) distance_[entry.rank] = infinity;
-        n_queued_ -= entries.size();
-        entries.clear();
     }
 }
 

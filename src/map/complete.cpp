@@ -74,4 +74,15 @@ CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source,
     return result;
 }
 
+VertexMap complete_map(const VertexMap& target_from_source, MeshView source, MeshView target,
+                       const CompleteOptions& options) {
+    const VertexMap corners = nearest_corners(
+        complete_map(surface_map_of(target_from_source, target), source, target, options).target_from_source,
+        target);
+    std::vector<Index> image = target_from_source.image();
+    for (std::size_t v = 0; v < image.size(); ++v)
+        if (image[v] == VertexMap::unmatched) image[v] = corners[static_cast<Index>(v)];
+    return {std::move(image), target.n_vertices()};
+}
+
 }  // namespace counterpart

@@ -184,16 +184,11 @@ class Matching {
     void fill_gaps(const std::vector<char>& lacking) {
         const Index n_matched = count_matched(result_.target_from_source);
         if (n_matched == 0 || n_matched == source_.n_vertices()) return;
-        const CompletedMap completed =
-            complete_map(surface_map_of(result_.target_from_source, target_), source_, target_);
-        const VertexMap corners = nearest_corners(completed.target_from_source, target_);
-        std::vector<Index> image = result_.target_from_source.image();
-        for (std::size_t v = 0; v < image.size(); ++v) {
-            if (image[v] != VertexMap::unmatched || lacking[v] != 0) continue;
-            image[v] = corners[static_cast<Index>(v)];
-            ++result_.n_filled;
-        }
+        std::vector<Index> image = complete_map(result_.target_from_source, source_, target_).image();
+        for (std::size_t v = 0; v < image.size(); ++v)
+            if (lacking[v] != 0) image[v] = result_.target_from_source[static_cast<Index>(v)];
         result_.target_from_source = VertexMap(std::move(image), target_.n_vertices());
+        result_.n_filled = count_matched(result_.target_from_source) - n_matched;
         watch_.lap("fill");
     }
 

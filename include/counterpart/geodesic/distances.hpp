@@ -15,6 +15,7 @@ namespace counterpart {
 
 namespace geodesic {
 class BatchDijkstra;
+class BucketQueue;
 class Dijkstra;
 }  // namespace geodesic
 
@@ -48,6 +49,7 @@ class DistanceGraph {
 
   private:
     friend class geodesic::BatchDijkstra;
+    friend class geodesic::BucketQueue;
     friend class geodesic::Dijkstra;
     struct UndirectedLink {
         Index a = 0, b = 0;
@@ -62,7 +64,7 @@ class DistanceGraph {
     std::vector<Index> first_;  // row r is first_[r] .. first_[r + 1]
     std::vector<Index> to_;
     std::vector<double> length_;
-    // How the search's queue is cut: see Dijkstra.
+    // How the search's queue is cut: see BucketQueue.
     double inverse_bucket_width_ = 0;
     std::size_t n_buckets_ = 2;
     bool ordered_buckets_ = false;

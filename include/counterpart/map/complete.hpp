@@ -36,4 +36,8 @@ struct CompletedMap {
 CompletedMap complete_map(const SurfaceMap& target_from_source, MeshView source, MeshView target,
                           const CompleteOptions& options = {});
 
+/// The same for images at vertices: what is found for an unmatched vertex is moved to the nearest corner.
+VertexMap complete_map(const VertexMap& target_from_source, MeshView source, MeshView target,
+                       const CompleteOptions& options = {});
+
 }  // namespace counterpart

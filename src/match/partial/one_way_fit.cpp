@@ -62,25 +62,26 @@ struct OneWayFit::State {
     }
 };
 
-// Bent already, or at its images, of which each is trusted alike but for those on boundaries.
+// Bent already (then each vertex has an image), or at its images, each trusted alike but for those on
+// boundaries.
 OneWayFit::State OneWayFit::start_state(FitStart start) const {
     State state{
         {std::move(start.image), std::move(start.positions), source_.normals, 0, std::move(start.pins)},
         Vector::Ones(source_.mesh.n_vertices()),
         std::move(start.pulls)};
     BentSource& bent = state.bent;
-    for (Eigen::Index v = 0; v < state.trust.size(); ++v) {
-        if (bent.image[at(v)] < 0) state.trust[v] = tuning_.min_trust, bent.image[at(v)] = 0;
-        if (target_.on_boundary[at(bent.image[at(v)])] != 0) state.trust[v] *= tuning_.beyond_trust;
-    }
-    if (bent.positions.rows() > 0) {
+    const bool is_bent = bent.positions.rows() > 0;
+    if (is_bent) {
         bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
         state.trust = trust_in(bent, target_, tuning_);
-        state.apply_known(tuning_);
-        return state;
+    } else {
+        for (Eigen::Index v = 0; v < state.trust.size(); ++v) {
+            if (bent.image[at(v)] < 0) state.trust[v] = tuning_.min_trust, bent.image[at(v)] = 0;
+            if (target_.on_boundary[at(bent.image[at(v)])] != 0) state.trust[v] *= tuning_.beyond_trust;
+        }
     }
     state.apply_known(tuning_);
-    bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
+    if (!is_bent) bent.positions = target_.mesh.vertices(bent.image, Eigen::all);
     return state;
 }
 

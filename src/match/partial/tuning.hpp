@@ -141,10 +141,11 @@ struct ChoiceTuning {
 
 /// Step 8 begins where step 5 ends, and as stiff; what lies up to four times the median distance
 /// away pulls, so that the surface slides less as it becomes pliable. Mean errors (dev) of holes, cuts,
-/// pfaust_h and pfaust_m are 2.62, 1.06, 1.71 and 1.94 without it, 2.21, 0.82, 1.47 and 1.58 with it. Tried:
-/// last lengths of 0.08, 0.04, 0.02, each better than the one before, and 0.01, not better; 8 rounds
-/// (holes 2.26, pfaust_h 1.49) and 16 (2.18, 1.43; a tenth of a second more); 3, 4, 6 and 8 medians, within
-/// 0.1 of each other. So pliable a fit is not for choosing: wrong ways come closer to right ones.
+/// pfaust_h and pfaust_m are 2.62, 1.06, 1.71 and 1.94 without it, 2.21, 0.82, 1.47 and 1.58 with it, when
+/// it still began at the images of step 5 rather than where that had bent the surface to (so, too, what
+/// follows). Tried: last lengths of 0.08, 0.04, 0.02, each better than the one before, and 0.01, not better;
+/// 8 rounds (holes 2.26, pfaust_h 1.49) and 16 (2.18, 1.43; a tenth of a second more); 3, 4, 6 and 8 medians,
+/// within 0.1 of each other. So pliable a fit is not for choosing: wrong ways come closer to right ones.
 constexpr FitTuning pliable_fit{
     .n_rounds = 12, .n_first_iterations = 4, .first_length = 0.14, .last_length = 0.02, .robust_factor = 4};
 

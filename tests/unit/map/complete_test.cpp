@@ -7,6 +7,8 @@
 #include <counterpart/map/complete.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 namespace counterpart {
@@ -54,6 +56,20 @@ TEST(CompleteMap, ComponentsWithoutAMatchTakeTheNearest) {
     EXPECT_EQ(whole.coverage.guessed, 3);
     const Points places = image_positions(whole.target_from_source, grid);
     EXPECT_LT((places.bottomRows(3) - grid.vertices.topRows(3)).norm(), 1e-12);
+}
+
+TEST(CompleteMap, OfVerticesMovesWhatIsFilledToTheNearestCorner) {
+    const TriangleMesh grid = make_grid(8, 8);
+    Points apart(grid.n_vertices() + 1, 3);  // with a vertex in no triangle
+    apart << grid.vertices, 20, 20, 20;
+    const TriangleMesh target{apart, grid.triangles};
+    std::vector<Index> image(static_cast<std::size_t>(grid.n_vertices()));
+    std::iota(image.begin(), image.end(), 0);
+    image[40] = VertexMap::unmatched;
+    image[3] = grid.n_vertices();
+    const VertexMap whole = complete_map(VertexMap(image, target.n_vertices()), grid, target);
+    image[40] = 40;
+    EXPECT_EQ(whole.image(), image);
 }
 
 TEST(CompleteMap, StopsAfterSoManyEdges) {
