@@ -57,7 +57,8 @@ std::vector<Variant> stages() {
     using T = SpectralTuning;
     return {
         reference,
-        {"no extremities", 2, [](T& t) { t.candidates.extremities.n_matchings = 0; }},
+        {"no extremities", 2,
+         [](T& t) { t.candidates.extremities.n_matchings = t.candidates.extremities.n_fine_matchings = 0; }},
         {"no extrinsic candidates", 2, [](T& t) { t.candidates.extrinsic.enabled = false; }},
         {"no sign flips", 2, [](T& t) { t.candidates.n_flip_rounds = 0; }},
         {"no crossover", 3, [](T& t) { t.selection.n_crossed = 0; }},

@@ -16,7 +16,8 @@ struct ExtremityMatching {
     double cost = 0;
 };
 
-/// By increasing cost, any two of which mean different maps.
+/// Of prominent extremities first, then of all; each of the two by increasing cost, any two of which mean
+/// different maps.
 std::vector<ExtremityMatching> match_extremities(const SampledPair& pair, const ExtremityTuning& tuning);
 
 }  // namespace counterpart::spectral_match

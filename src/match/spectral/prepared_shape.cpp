@@ -69,9 +69,10 @@ EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int 
         n_functions, progress.part(0.5, 1).callback());
 }
 
-void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const ProgressRange& progress) {
-    shape.extremities =
-        geodesic::extremities(graph, shape.sample_distances.cast<double>().colwise().mean().transpose());
+void find_extremities(PreparedShape& shape, const DistanceGraph& graph, double radius,
+                      const ProgressRange& progress) {
+    shape.extremities = geodesic::extremities(
+        graph, shape.sample_distances.cast<double>().colwise().mean().transpose(), {.radius = radius});
     std::vector<Index> vertices;
     for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
     shape.extremity_distances = geodesic::finite_distance_rows(graph, vertices, unreachable, progress);
@@ -172,7 +173,7 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     progress.reach(0.2);
     const DistanceGraph graph(shape.mesh);
     sample(shape, graph, options, tuning, progress.part(0.2, 0.3));
-    find_extremities(shape, graph, progress.part(0.3, 0.35));
+    find_extremities(shape, graph, tuning.extremity_radius, progress.part(0.3, 0.35));
     shape.laplacian = laplace_beltrami(shape.mesh);
     shape.basis = basis_of(shape, graph, options.n_functions, tuning, progress.part(0.4, 0.9));
     progress.reach(0.9);

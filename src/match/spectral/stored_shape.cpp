@@ -14,7 +14,7 @@ namespace counterpart::spectral_match {
 namespace {
 
 // With the version: to be raised with every change of what is stored, of `prepare`, or of PreparationTuning.
-constexpr std::string_view magic = "counterpart spectral shape 1\n";
+constexpr std::string_view magic = "counterpart spectral shape 2\n";
 
 void require(bool condition, const char* reason) {
     if (!condition) throw InvalidInput(std::string("not a prepared shape of this version: ") + reason);

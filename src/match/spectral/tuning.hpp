@@ -23,6 +23,9 @@ struct PreparationTuning {
     /// Sources of rows of geodesic distance. They measure how far two maps are apart, and the average
     /// distance of a vertex, whose local maxima are the extremities.
     int n_distance_samples = 150;
+    /// Distance within which an extremity is the most distant point. 0.08 finds ears as well as feet: eight
+    /// to eleven on an animal, 0.15 six to eight.
+    double extremity_radius = 0.08;
     /// Diffusion times of mean curvature, fine to coarse.
     std::array<double, 4> curvature_times{0.0005, 0.001, 0.003, 0.01};
     int curvature_percentile = 95;  ///< magnitudes above are clamped, so that spikes do not outweigh the rest
@@ -68,13 +71,17 @@ struct PriorTuning {
 
 /// Stage 2a, partial matchings of extremities that keep geodesic distances.
 struct ExtremityTuning {
-    std::size_t n_matchings = 24;   ///< starts; 0 = only that from descriptors alone
-    std::size_t beam_width = 2000;  ///< partial matchings kept while the next extremity is assigned
-    std::size_t min_pairs = 3;      ///< fewer fix no map
-    double average_weight = 0.5;    ///< of a difference in average distance against one in pairwise distance
-    double landmark_weight = 2;     ///< likewise of one in the distance from a landmark
-    double skip_cost = 0.25;        ///< of an extremity without a partner, as a distance
-    double min_difference = 0.08;   ///< mean distance between the maps that two kept matchings mean
+    std::size_t n_matchings = 24;  ///< of prominent extremities; 0 = none
+    /// Distance. An extremity that a more distant one within it exceeds is not prominent: ears, toes. Unlike
+    /// bodies lack them, or have them at other places; where both have them, they tell a face from a mouth.
+    double prominent_radius = 0.15;
+    std::size_t n_fine_matchings = 12;  ///< of all extremities; 0 = none
+    std::size_t beam_width = 2000;      ///< partial matchings kept while the next extremity is assigned
+    std::size_t min_pairs = 3;          ///< fewer fix no map
+    double average_weight = 0.5;   ///< of a difference in average distance against one in pairwise distance
+    double landmark_weight = 2;    ///< likewise of one in the distance from a landmark
+    double skip_cost = 0.25;       ///< of an extremity without a partner, as a distance
+    double min_difference = 0.08;  ///< mean distance between the maps that two kept matchings mean
 };
 
 /// Stage 2b, shapes in similar poses laid onto each other in space.
