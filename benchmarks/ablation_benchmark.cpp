@@ -18,7 +18,7 @@
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/final_choice.hpp"
 #include "match/spectral/prepared_shape.hpp"
-#include "match/spectral/refinement.hpp"
+#include "match/spectral/rivals.hpp"
 #include "match/spectral/selection.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
@@ -63,6 +63,7 @@ std::vector<Variant> stages() {
         {"no sign flips", 2, [](T& t) { t.candidates.n_flip_rounds = 0; }},
         {"no crossover", 3, [](T& t) { t.selection.n_crossed = 0; }},
         {"no final choice", 4, [](T& t) { t.final_choice.n_tried = 1; }},
+        {"no rivals", 5, [](T& t) { t.rivals.n_refined = 1; }},
         {"no elastic fit", 5, [](T& t) { t.refinement.position_weight = t.refinement.normal_weight = 0; }},
         {"no rounds of refinement", 5, [](T& t) { t.refinement.n_rounds = 0; }}};
 }
@@ -226,11 +227,6 @@ struct Stage {
 };
 struct Shared {
     Stage candidates, selection, final_choice;
-    struct Refinement {
-        std::vector<Index> start;
-        double error = 0, seconds = 0;
-    };
-    std::vector<Refinement> refinements;
 };
 
 // Of this process, on its one thread: other programs on the machine do not count.
@@ -264,17 +260,10 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     });
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
     take(4, shared.final_choice, [&] { choose_best(now.maps, all, tuning.final_choice); });
-    if (variant.first_stage < 5)
-        for (const auto& known : shared.refinements)
-            if (known.start == now.maps.front().maps.b_from_a)
-                return {known.error, now.seconds + known.seconds};
     const double start = processor_seconds();
-    const std::vector<Index> map = refine(all, now.maps.front(), tuning.refinement).b_from_a;
+    refine_rivals(now.maps, all, tuning.rivals, tuning.refinement);
     const double seconds = processor_seconds() - start;
-    const double error = mean_error(source, target, map);
-    if (variant.first_stage < 5)
-        shared.refinements.push_back({now.maps.front().maps.b_from_a, error, seconds});
-    return {error, now.seconds + seconds};
+    return {mean_error(source, target, now.maps.front().on_vertices.b_from_a), now.seconds + seconds};
 }
 
 void print_summary(const std::string& name, std::vector<double> errors, double seconds) {

@@ -7,16 +7,17 @@
 //
 // FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
 // not run again. No search ends early here. Finalists come best first, so that the first one is the choice;
-// their errors are those after the brief refinement, that of the choice also after the full one
-// ("mean_error"). Errors are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is
-// matched again with one landmark ("with_landmark"). Two pairs run at a time, on one thread each. The last
-// line on stdout: pairs, mean error of the chosen, of the best finalist, and how many are above 6.
+// their errors are those after the brief refinement, of the choice and of its rivals after the full one.
+// Errors are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is matched again with
+// one landmark ("with_landmark"). Two pairs run at a time, on one thread each. The last line on stdout:
+// pairs, mean error of the chosen, of the best finalist, and how many are above 6.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
 #include "match/spectral/final_choice.hpp"
 #include "match/spectral/prepared_shape.hpp"
-#include "match/spectral/refinement.hpp"
+#include "match/spectral/rivals.hpp"
+#include "match/spectral/round_trips.hpp"
 #include "match/spectral/selection.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
@@ -91,8 +92,8 @@ MapErrors errors_of(const Known& source, const Known& target,
 // What confidence is made of, at every 4th of these points: the error, the round trip plus tear, and which
 // finalists (from the second on) take it elsewhere.
 Json evidence(const Known& source, const SampledPair& all, const std::vector<Candidate>& finalists,
-              const PairedMaps& refined, const Vector& errors) {
-    const Vector doubts = round_trips_and_tears(all.a, all.b, refined);
+              const Vector& errors) {
+    const Vector doubts = round_trips_and_tears(all.a, all.b, finalists.front().on_vertices);
     const MapDistance distance(all);
     Json lines = Json::array();
     for (Eigen::Index i = 0; i < errors.size(); i += 4) {
@@ -115,23 +116,16 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-struct Matched {
-    std::vector<Candidate> finalists;
-    PairedMaps refined;
-};
-
-Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
+std::vector<Candidate> match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
     const SpectralTuning tuning;
     const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
-    Matched result{
-        select(coarse,
-               vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
-               tuning.selection.n_finalists, tuning.selection),
-        {}};
+    std::vector<Candidate> finalists = select(
+        coarse, vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
+        tuning.selection.n_finalists, tuning.selection);
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
-    choose_best(result.finalists, all, tuning.final_choice);
-    result.refined = refine(all, result.finalists.front(), tuning.refinement);
-    return result;
+    choose_best(finalists, all, tuning.final_choice);
+    refine_rivals(finalists, all, tuning.rivals, tuning.refinement);
+    return finalists;
 }
 
 // What becomes of a map when a point of a wrong limb is given as a landmark: the one at the 95th percentile
@@ -144,23 +138,23 @@ double error_with_landmark(const Known& source, const Known& target, const Vecto
     const Index k = *at * step;
     const Priors priors = make_priors(source.shape, target.shape,
                                       VertexPairs{{source.matched_point(k), target.matched_point(k)}}, {});
-    const Matched found = match_with(source.shape, target.shape, priors);
-    return errors_of(source, target, {&found.refined.b_from_a}).means[0];
+    const std::vector<Candidate> found = match_with(source.shape, target.shape, priors);
+    return errors_of(source, target, {&found.front().on_vertices.b_from_a}).means[0];
 }
 
 Json measure(const Pair& pair, const Known& source, const Known& target) {
     const PreparedShape &a = source.shape, &b = target.shape;
     const double start = processor_seconds();
-    const auto [finalists, refined] = match_with(a, b, nothing_known);
+    const std::vector<Candidate> finalists = match_with(a, b, nothing_known);
     const double seconds = processor_seconds() - start;
-    std::vector<const std::vector<Index>*> maps{&refined.b_from_a};
+    std::vector<const std::vector<Index>*> maps;
     for (const Candidate& finalist : finalists) maps.push_back(&finalist.on_vertices.b_from_a);
     const MapErrors found = errors_of(source, target, maps);
     const std::vector<double>& errors = found.means;
     Json list = Json::array();
     for (std::size_t i = 0; i < finalists.size(); ++i) {
         const auto& [scores, cues] = std::tie(finalists[i].scores, finalists[i].cues);
-        list.push_back({{"mean_error", errors[i + 1]},
+        list.push_back({{"mean_error", errors[i]},
                         {"total", scores.total},
                         {"curvature", scores.curvature},
                         {"orientation", scores.orientation},
@@ -172,10 +166,9 @@ Json measure(const Pair& pair, const Known& source, const Known& target) {
                         {"wring", cues.wring}});
     }
     const SampledPair all(a, b, all_samples, 0);
-    Json line{
-        {"source", pair.first},    {"target", pair.second},
-        {"mean_error", errors[0]}, {"seconds", seconds},
-        {"finalists", list},       {"vertices", evidence(source, all, finalists, refined, found.of_first)}};
+    Json line{{"source", pair.first},    {"target", pair.second},
+              {"mean_error", errors[0]}, {"seconds", seconds},
+              {"finalists", list},       {"vertices", evidence(source, all, finalists, found.of_first)}};
     if (errors[0] > wrong) line["with_landmark"] = error_with_landmark(source, target, found.of_first);
     return line;
 }

@@ -12,7 +12,7 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;  // from the brief refinement before the final choice; empty earlier
+    PairedMaps on_vertices;  // empty at first; from the brief refinement; of rivals from the full one
     Cues cues;
     bool was_flipped = false;  // its sign flips have been tried
 };

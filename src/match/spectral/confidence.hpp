@@ -10,10 +10,6 @@
 
 namespace counterpart::spectral_match {
 
-/// Per vertex of A: how far from it the map there and back ends, and by how much an edge grows beyond twice
-/// its length.
-Vector round_trips_and_tears(const PreparedShape& a, const PreparedShape& b, const PairedMaps& maps);
-
 /// Per vertex of A in [0, 1]: near 1 where the map there and back returns and keeps neighbors together,
 /// where `candidates` (best first, the one refined) that score nearly as well agree, and if the best scores
 /// well. Low in islands, wherever these are.

@@ -81,15 +81,21 @@ double wring(const PreparedShape& shape, const std::vector<LocalFit>& fits, cons
 
 }  // namespace
 
-Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning) {
-    Cues cues;
-    for (std::size_t i = 0; i < cues.relief.size(); ++i) {
-        const Vector on_a = pair.a.relief.col(static_cast<Eigen::Index>(i)),
-                     on_b = pair.b.relief.col(static_cast<Eigen::Index>(i));
-        cues.relief[i] = (correlation(on_a, on_b, on_vertices.b_from_a, pair.a.basis.mass) +
-                          correlation(on_b, on_a, on_vertices.a_from_b, pair.b.basis.mass)) /
-                         2;
+std::array<double, 4> relief_correlations(const PreparedShape& a, const PreparedShape& b,
+                                          const PairedMaps& on_vertices) {
+    std::array<double, 4> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Vector on_a = a.relief.col(static_cast<Eigen::Index>(i)),
+                     on_b = b.relief.col(static_cast<Eigen::Index>(i));
+        result[i] = (correlation(on_a, on_b, on_vertices.b_from_a, a.basis.mass) +
+                     correlation(on_b, on_a, on_vertices.a_from_b, b.basis.mass)) /
+                    2;
     }
+    return result;
+}
+
+Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning) {
+    Cues cues{.relief = relief_correlations(pair.a, pair.b, on_vertices)};
     const auto forward = local_fits(pair.a, pair.b, pair.near_a, on_vertices.b_from_a),
                backward = local_fits(pair.b, pair.a, pair.near_b, on_vertices.a_from_b);
     cues.residual = (median_residual(forward) + median_residual(backward)) / 2;

@@ -13,12 +13,16 @@ namespace counterpart::spectral_match {
 
 /// Of a map between all vertices, mean of both directions.
 struct Cues {
-    std::array<double, 4> relief{};  // correlations of PreparedShape::relief under the map
+    std::array<double, 4> relief{};  // correlations: see below
     double residual =
         0;  // median over neighborhoods of what the best similarity leaves: 0 = a similarity, 1 = not
     double wring =
         0;  // how fast the rotations of neighborhoods change over some distance, where they change most
 };
+
+/// Of PreparedShape::relief under the map, mean of both directions.
+std::array<double, 4> relief_correlations(const PreparedShape& a, const PreparedShape& b,
+                                          const PairedMaps& on_vertices);
 
 /// `pair` with neighborhoods of CueTuning::radius.
 Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning = {});

@@ -7,7 +7,7 @@
 #include "match/spectral/confidence.hpp"
 #include "match/spectral/final_choice.hpp"
 #include "match/spectral/lift.hpp"
-#include "match/spectral/refinement.hpp"
+#include "match/spectral/rivals.hpp"
 #include "match/spectral/selection.hpp"
 #include "match/spectral/warnings.hpp"
 
@@ -24,6 +24,7 @@ namespace {
 struct Search {
     SampledPair all;
     std::vector<Candidate> finalists;
+    bool is_decided = false;
 
     double score() const { return finalists.front().scores.total; }
 };
@@ -49,7 +50,8 @@ struct Stages {
         watch.lap("selection");
         FinalChoiceTuning choice = tuning.final_choice;
         choice.n_tried = std::max(choice.n_tried, n_asked);
-        if (!finalists.empty()) {
+        const bool is_decided = !finalists.empty();
+        if (is_decided) {
             choice.close_score = 0;  // what is decided needs no second look
         } else {
             candidates =
@@ -59,7 +61,8 @@ struct Stages {
                 select(coarse, std::move(candidates), n_finalists, tuning.selection, progress.part(0.4, 0.7));
             watch.lap("selection");
         }
-        Search found{{source, target, all_samples, choice.cues.radius, priors}, std::move(finalists)};
+        Search found{
+            {source, target, all_samples, choice.cues.radius, priors}, std::move(finalists), is_decided};
         choose_best(found.finalists, found.all, choice, progress.part(0.7, 1));
         watch.lap("final choice");
         return found;
@@ -67,10 +70,13 @@ struct Stages {
 
     // 5 and 6: the best of the finalists on all vertices, and what is to be said about it; then all of it
     // between the full meshes.
-    SpectralResult finish(const Search& found, const ProgressRange& progress) {
+    SpectralResult finish(Search found, const ProgressRange& progress) {
         const SampledPair& pair = found.all;
-        const std::vector<Candidate>& finalists = found.finalists;
-        const PairedMaps maps = refine(pair, finalists.front(), tuning.refinement, progress.part(0, 0.9));
+        std::vector<Candidate>& finalists = found.finalists;
+        RivalTuning rivals = tuning.rivals;
+        if (found.is_decided) rivals.n_refined = 1;
+        refine_rivals(finalists, pair, rivals, tuning.refinement, progress.part(0, 0.9));
+        const PairedMaps& maps = finalists.front().on_vertices;
         watch.lap("refinement");
         SpectralResult result;
         result.score = found.score();
@@ -143,17 +149,18 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     std::optional<PreparedShape> mirror;
     if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
     const Priors priors = make_priors(source, target, options, tuning.priors);
-    const Search first = stages.search(source, options.symmetric ? *mirror : target, priors,
-                                       progress.part(0, may_be_mirrored ? 0.3 : 0.6));
+    Search first = stages.search(source, options.symmetric ? *mirror : target, priors,
+                                 progress.part(0, may_be_mirrored ? 0.3 : 0.6));
     std::optional<Search> second;
     if (may_be_mirrored) second.emplace(stages.search(source, *mirror, priors, progress.part(0.3, 0.6)));
-    const bool is_mirrored = second && second->score() > first.score() + tuning.confidence.min_mirror_gain;
-    SpectralResult result = stages.finish(is_mirrored ? *second : first, progress.part(0.6, 1));
+    const double score = first.score(), mirrored_score = second ? second->score() : 0;
+    const bool is_mirrored = second && mirrored_score > score + tuning.confidence.min_mirror_gain;
+    SpectralResult result = stages.finish(std::move(is_mirrored ? *second : first), progress.part(0.6, 1));
     if (is_mirrored)
         result.warnings.push_back(fmt::format(
             "one mesh is the mirror image of the other (score {:.2f}, without mirroring {:.2f}): the map "
             "reverses orientation (left to left)",
-            second->score(), first.score()));
+            mirrored_score, score));
     result.stages = stages.watch.stages();
     result = between_inputs(std::move(result), source.origin, target.origin);
     if (!options.soft_landmarks) keep_landmarks(result, options.landmarks);
