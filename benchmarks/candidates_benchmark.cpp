@@ -6,11 +6,12 @@
 //     candidates FOLDER PAIRS RESULTS.jsonl
 //
 // FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
-// not run again. No search ends early here. Finalists come best first, so that the first one is the choice;
-// their errors are those after the brief refinement, of the choice and of its rivals after the full one.
-// Errors are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is matched again with
-// one landmark ("with_landmark"). Two pairs run at a time, on one thread each. The last line on stdout:
-// pairs, mean error of the chosen, of the best finalist, and how many are above 6.
+// not run again. No search ends early here. "finalists" have scores, cues and errors after the brief
+// refinement, best first; "refined" has what the program ends with: the map ("mean_error" of the pair is its
+// error) and its runners-up, of which close ones are refined in full. Errors are geodesic at every 8th point,
+// times 100 / sqrt(target area). A pair above 6 is matched again with one landmark ("with_landmark"). Two
+// pairs run at a time, on one thread each. The last line on stdout: pairs, mean error of the chosen, of the
+// best finalist, and how many are above 6.
 #include "base/parallel.hpp"
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
@@ -116,16 +117,22 @@ double processor_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-std::vector<Candidate> match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
+struct Matched {
+    std::vector<Candidate> finalists, refined;
+};
+
+Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
     const SpectralTuning tuning;
+    Matched found;
     const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
-    std::vector<Candidate> finalists = select(
+    found.finalists = select(
         coarse, vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
         tuning.selection.n_finalists, tuning.selection);
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
-    choose_best(finalists, all, tuning.final_choice);
-    refine_rivals(finalists, all, tuning.rivals, tuning.refinement);
-    return finalists;
+    choose_best(found.finalists, all, tuning.final_choice);
+    found.refined = found.finalists;
+    refine_rivals(found.refined, all, tuning.rivals, tuning.refinement);
+    return found;
 }
 
 // What becomes of a map when a point of a wrong limb is given as a landmark: the one at the 95th percentile
@@ -138,38 +145,45 @@ double error_with_landmark(const Known& source, const Known& target, const Vecto
     const Index k = *at * step;
     const Priors priors = make_priors(source.shape, target.shape,
                                       VertexPairs{{source.matched_point(k), target.matched_point(k)}}, {});
-    const std::vector<Candidate> found = match_with(source.shape, target.shape, priors);
-    return errors_of(source, target, {&found.front().on_vertices.b_from_a}).means[0];
+    const Matched found = match_with(source.shape, target.shape, priors);
+    return errors_of(source, target, {&found.refined.front().on_vertices.b_from_a}).means[0];
 }
 
 Json measure(const Pair& pair, const Known& source, const Known& target) {
     const PreparedShape &a = source.shape, &b = target.shape;
     const double start = processor_seconds();
-    const std::vector<Candidate> finalists = match_with(a, b, nothing_known);
+    const auto [finalists, refined] = match_with(a, b, nothing_known);
     const double seconds = processor_seconds() - start;
     std::vector<const std::vector<Index>*> maps;
-    for (const Candidate& finalist : finalists) maps.push_back(&finalist.on_vertices.b_from_a);
+    for (const auto* list : {&refined, &finalists})
+        for (const Candidate& candidate : *list) maps.push_back(&candidate.on_vertices.b_from_a);
     const MapErrors found = errors_of(source, target, maps);
-    const std::vector<double>& errors = found.means;
-    Json list = Json::array();
+    const double error = found.means[0];
+    Json brief = Json::array(), full = Json::array();
     for (std::size_t i = 0; i < finalists.size(); ++i) {
         const auto& [scores, cues] = std::tie(finalists[i].scores, finalists[i].cues);
-        list.push_back({{"mean_error", errors[i]},
-                        {"total", scores.total},
-                        {"curvature", scores.curvature},
-                        {"orientation", scores.orientation},
-                        {"rigidity", scores.rigidity},
-                        {"orthogonality", scores.orthogonality},
-                        {"drift", scores.drift},
-                        {"relief", cues.relief},
-                        {"residual", cues.residual},
-                        {"wring", cues.wring}});
+        brief.push_back({{"mean_error", found.means[refined.size() + i]},
+                         {"total", scores.total},
+                         {"curvature", scores.curvature},
+                         {"orientation", scores.orientation},
+                         {"drift", scores.drift},
+                         {"rigidity", scores.rigidity},
+                         {"orthogonality", scores.orthogonality},
+                         {"relief", cues.relief},
+                         {"residual", cues.residual},
+                         {"wring", cues.wring}});
     }
+    for (std::size_t i = 0; i < refined.size(); ++i)
+        full.push_back({{"mean_error", found.means[i]}, {"total", refined[i].scores.total}});
     const SampledPair all(a, b, all_samples, 0);
-    Json line{{"source", pair.first},    {"target", pair.second},
-              {"mean_error", errors[0]}, {"seconds", seconds},
-              {"finalists", list},       {"vertices", evidence(source, all, finalists, found.of_first)}};
-    if (errors[0] > wrong) line["with_landmark"] = error_with_landmark(source, target, found.of_first);
+    Json line{{"source", pair.first},
+              {"target", pair.second},
+              {"mean_error", error},
+              {"seconds", seconds},
+              {"finalists", brief},
+              {"refined", full},
+              {"vertices", evidence(source, all, refined, found.of_first)}};
+    if (error > wrong) line["with_landmark"] = error_with_landmark(source, target, found.of_first);
     return line;
 }
 

@@ -75,16 +75,11 @@ def report(name, pairs, w):
     )
 
 
-def totals(pair, w):
-    """Of the finalists in the program's order, as FinalChoiceTuning has them."""
-    return pair["features"] @ w / (1 + w[1])
-
-
-def confidence_of(pairs, w, half, width, temperature, length):
+def confidence_of(pairs, half, width, temperature, length):
     """A list of (confidence of each point, whether the point lies within 5 % of sqrt(area)), one for each pair."""
     result = []
     for p in pairs:
-        total = totals(p, w)
+        total = np.array([f["total"] for f in p["refined"]])
         whole = 1 / (1 + np.exp(-(total[0] - half) / width))
         weights = np.exp((total - total[0]) / temperature)
         errors = np.array([v[0] for v in p["vertices"]])
@@ -107,21 +102,21 @@ def most_sure_of_wrong(found, pairs):
     return max((sure.mean() for (sure, _), p in zip(found, pairs, strict=True) if p["mean_error"] > 6), default=0)
 
 
-def fit_confidence(pairs, w):
+def fit_confidence(pairs):
     """half score, width, temperature, doubt length: the grid point of least calibration error among those that call no
     pair above 6 more than 0.75 sure."""
     grid = itertools.product(
         np.arange(0.42, 0.58, 0.02), (0.05, 0.08, 0.1, 0.13, 0.18), (0.01, 0.02, 0.03), (0.08, 0.12)
     )
-    found = [(constants, confidence_of(pairs, w, *constants)) for constants in grid]
+    found = [(constants, confidence_of(pairs, *constants)) for constants in grid]
     careful = [(constants, f) for constants, f in found if most_sure_of_wrong(f, pairs) < 0.75]
     return min(careful, key=lambda pair: calibration_error(pair[1]))[0]
 
 
-def report_confidence(name, pairs, w, constants):
+def report_confidence(name, pairs, constants):
     if not pairs:
         return
-    found = confidence_of(pairs, w, *constants)
+    found = confidence_of(pairs, *constants)
     print(
         f"{name:28} expected calibration error {calibration_error(found):.3f}, "
         f"largest mean confidence of a pair above 6 {most_sure_of_wrong(found, pairs):.2f}"
@@ -147,11 +142,10 @@ def main():
         print(name, dict(zip(["score", *PARTS], np.round(w, 3), strict=True)))
         report("  dev", dev, w)
         report("  left out", test, w)
-    w = PRESENT
-    for name, constants in [("as it is", (0.5, 0.1, 0.02, 0.12)), ("fitted", fit_confidence(dev or pairs, w))]:
+    for name, constants in [("as it is", (0.5, 0.1, 0.02, 0.12)), ("fitted", fit_confidence(dev or pairs))]:
         print("confidence", name, tuple(round(float(c), 3) for c in constants))
-        report_confidence("  dev", dev, w, constants)
-        report_confidence("  left out", test, w, constants)
+        report_confidence("  dev", dev, constants)
+        report_confidence("  left out", test, constants)
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ void fill_map(MatchOutcome& outcome, const MatchInput& input, const FillArgument
     if (!outcome.source_from_target) outcome.source_from_target = invert(found);
     const Index n_found = count_matched(found);
     if (n_found == found.source_size()) return;
-    if (n_found == 0) {
+    if (count_matched(surface_map_of(found, input.target)) == 0) {
         outcome.messages.push_back("nothing to fill from: no vertex has a partner");
         return;
     }

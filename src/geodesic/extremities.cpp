@@ -14,7 +14,8 @@ std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& ave
                                    const ExtremityOptions& options) {
     if (average_distance.size() != graph.n_vertices() || graph.n_vertices() == 0)
         throw InvalidInput("extremities: one average distance per vertex of the graph is needed");
-    if (!(options.min_average >= 1) || !(options.radius > 0) || options.max_count < 1)
+    if (!(options.min_average >= 1) || !(options.radius > 0) || !(options.min_apart >= 0) ||
+        options.max_count < 1)
         throw InvalidInput("extremities: an option is out of range");
     const Vector relative = average_distance / average_distance.minCoeff();
     std::vector<Index> order(static_cast<std::size_t>(relative.size()));
@@ -27,13 +28,16 @@ std::vector<Extremity> extremities(const DistanceGraph& graph, const Vector& ave
             found.size() == static_cast<std::size_t>(options.max_count))
             break;
         if (covered[static_cast<std::size_t>(v)]) continue;
-        const Vector distance = distances_from(graph, v, {.radius = options.radius});
+        const Vector distance =
+            distances_from(graph, v, {.radius = std::max(options.radius, options.min_apart)});
         bool maximal = true;
         for (Index w = 0; w < distance.size(); ++w) {
             if (distance[w] >= options.radius) continue;
             covered[static_cast<std::size_t>(w)] = 1;
             if (relative[w] > relative[v]) maximal = false;
         }
+        for (const Extremity& other : found)  // more distant
+            if (distance[other.vertex] < options.min_apart) maximal = false;
         if (maximal) found.push_back({v, relative[v]});
     }
     return found;

@@ -16,6 +16,7 @@ struct Extremity {
 struct ExtremityOptions {
     double min_average = 1.2;  ///< average distance over the smallest one, at least 1
     double radius = 0.15;      ///< each is the maximum within this distance; mesh units, positive
+    double min_apart = 0;      ///< no more distant one lies within this distance; mesh units, at least 0
     int max_count = 12;        ///< keep the most distant ones; at least 1
 };
 

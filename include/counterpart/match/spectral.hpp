@@ -83,7 +83,8 @@ struct SpectralOptions {
 
 /// A runner-up.
 struct SpectralAlternative {
-    /// Every source vertex is matched. Refined briefly if it came close, else not.
+    /// Every source vertex is matched. Refined in full if it scored nearly as well, briefly if it came close,
+    /// else not.
     VertexMap target_from_source;
     double score = 0;
     std::string description;  ///< how it differs from the best map: mirrored, turned, another limb

@@ -12,9 +12,10 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;  // empty at first; from the brief refinement; of rivals from the full one
-    Cues cues;
+    PairedMaps on_vertices;    // empty before stage 4
+    Cues cues;                 // of stage 4
     bool was_flipped = false;  // its sign flips have been tried
+    bool was_tried = false;    // refined briefly in stage 4: only such can win
 };
 
 /// Mean distance between two maps of samples, measured between nearest distance samples.

@@ -2,32 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/extremity_matching.hpp"
 
+#include "base/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace counterpart::spectral_match {
 namespace {
 
-double between(const PreparedShape& shape, int i, int j) {
-    return shape.extremity_distances(i, shape.extremities[static_cast<std::size_t>(j)].vertex);
-}
-
-using Tips = std::vector<int>;  // numbers of extremities
-
-// The extremities that no other one within `radius` exceeds.
-Tips prominent(const PreparedShape& shape, double radius) {
-    Tips tips;
-    const int n = static_cast<int>(shape.extremities.size());
-    for (int i = 0; i < n; ++i) {
-        bool exceeded = false;  // they come most distant first
-        for (int j = 0; j < i; ++j) exceeded = exceeded || between(shape, i, j) < radius;
-        if (!exceeded) tips.push_back(i);
-    }
-    return tips;
-}
-
 struct Partial {
-    std::vector<int> partner;  // of each tip of A so far: a place among those of B; -1 = skipped
+    std::vector<int> partner;  // of each extremity of A so far; -1 = skipped
     double pair_cost = 0;      // sum over pairs of matched extremities
     double own_cost = 0;       // sum over matched extremities
     int n_matched = 0, n_skipped = 0;
@@ -36,6 +20,10 @@ struct Partial {
         return (pair_cost + own_cost) / std::max(n_matched, 1) + skip_cost * n_skipped;
     }
 };
+
+double between(const PreparedShape& shape, int i, int j) {
+    return shape.extremity_distances(i, shape.extremities[static_cast<std::size_t>(j)].vertex);
+}
 
 // Of matching each extremity of A to each of B: average distances and distances from the landmarks that
 // differ.
@@ -55,18 +43,17 @@ Eigen::MatrixXd own_costs(const SampledPair& pair, const ExtremityTuning& tuning
     return costs;
 }
 
-// Tips of A in order, each to a free one of B or skipped; the best `beam_width` go on.
-std::vector<Partial> beam_search(const PreparedShape& a, const Tips& on_a, const PreparedShape& b,
-                                 const Tips& on_b, const Eigen::MatrixXd& own_costs,
-                                 const ExtremityTuning& tuning) {
+// The first extremities of A, as many as there are costs, in order, each to a free one of the first of B or
+// skipped; the best `beam_width` go on.
+std::vector<Partial> beam_search(const PreparedShape& a, const PreparedShape& b,
+                                 const Eigen::MatrixXd& own_costs, const ExtremityTuning& tuning) {
     const auto cheaper = [&](const Partial& x, const Partial& y) {
         const double cost_x = x.cost(tuning.skip_cost), cost_y = y.cost(tuning.skip_cost);
         return cost_x != cost_y ? cost_x < cost_y : x.partner < y.partner;
     };
     std::vector<Partial> beam(1);
-    const int na = static_cast<int>(on_a.size()), nb = static_cast<int>(on_b.size());
+    const int na = static_cast<int>(own_costs.rows()), nb = static_cast<int>(own_costs.cols());
     for (int i = 0; i < na; ++i) {
-        const int tip_a = on_a[at(i)];
         std::vector<Partial> grown;
         for (const Partial& partial : beam) {
             Partial skipped = partial;
@@ -77,14 +64,11 @@ std::vector<Partial> beam_search(const PreparedShape& a, const Tips& on_a, const
                 if (std::find(partial.partner.begin(), partial.partner.end(), j) != partial.partner.end())
                     continue;
                 Partial next = partial;
-                const int tip_b = on_b[at(j)];
                 for (int k = 0; k < i; ++k) {
-                    const int l = partial.partner[at(k)];
-                    if (l >= 0)
-                        next.pair_cost +=
-                            std::abs(between(a, tip_a, on_a[at(k)]) - between(b, tip_b, on_b[at(l)]));
+                    const int l = partial.partner[static_cast<std::size_t>(k)];
+                    if (l >= 0) next.pair_cost += std::abs(between(a, i, k) - between(b, j, l));
                 }
-                next.own_cost += own_costs(tip_a, tip_b);
+                next.own_cost += own_costs(i, j);
                 next.partner.push_back(j);
                 ++next.n_matched;
                 grown.push_back(std::move(next));
@@ -126,10 +110,9 @@ double mean_distance(const PreparedShape& b, const std::vector<int>& map, const 
     return sum / static_cast<double>(map.size());
 }
 
-// The cheapest matchings of these tips that mean different maps.
-std::vector<ExtremityMatching> cheapest_matchings(const SampledPair& pair, const Tips& on_a, const Tips& on_b,
-                                                  const Eigen::MatrixXd& costs, std::size_t count,
-                                                  const ExtremityTuning& tuning) {
+// The cheapest matchings of the first extremities, as many as there are costs, that mean different maps.
+std::vector<ExtremityMatching> cheapest_matchings(const SampledPair& pair, const Eigen::MatrixXd& costs,
+                                                  std::size_t count, const ExtremityTuning& tuning) {
     const PreparedShape &a = pair.a, &b = pair.b;
     std::vector<ExtremityMatching> all;
     const auto collect = [&](const std::vector<Partial>& beam, bool reversed) {
@@ -137,19 +120,19 @@ std::vector<ExtremityMatching> cheapest_matchings(const SampledPair& pair, const
             if (static_cast<std::size_t>(partial.n_matched) < tuning.min_pairs) continue;
             ExtremityMatching matching;
             matching.cost = partial.cost(tuning.skip_cost);
-            for (std::size_t i = 0; i < partial.partner.size(); ++i) {
-                const int j = partial.partner[i];
-                if (j < 0) continue;
-                const auto k = static_cast<Eigen::Index>(i);
-                matching.pairs.emplace_back(reversed ? on_a[at(j)] : on_a[at(k)],
-                                            reversed ? on_b[at(k)] : on_b[at(j)]);
+            for (int i = 0; i < static_cast<int>(partial.partner.size()); ++i) {
+                const int j = partial.partner[static_cast<std::size_t>(i)];
+                if (j >= 0) matching.pairs.emplace_back(reversed ? j : i, reversed ? i : j);
             }
             std::sort(matching.pairs.begin(), matching.pairs.end());
             all.push_back(std::move(matching));
         }
     };
-    collect(beam_search(a, on_a, b, on_b, costs, tuning), false);
-    collect(beam_search(b, on_b, a, on_a, costs.transpose(), tuning), true);
+    std::vector<Partial> from_a, from_b;
+    parallel_invoke([&] { from_a = beam_search(a, b, costs, tuning); },
+                    [&] { from_b = beam_search(b, a, costs.transpose(), tuning); });
+    collect(from_a, false);
+    collect(from_b, true);
     std::sort(all.begin(), all.end(), [](const auto& x, const auto& y) {
         return x.cost != y.cost ? x.cost < y.cost : x.pairs < y.pairs;
     });
@@ -172,18 +155,13 @@ std::vector<ExtremityMatching> cheapest_matchings(const SampledPair& pair, const
 
 std::vector<ExtremityMatching> match_extremities(const SampledPair& pair, const ExtremityTuning& tuning) {
     const Eigen::MatrixXd costs = own_costs(pair, tuning);
-    std::vector<ExtremityMatching> kept;
-    const auto add = [&](double radius, std::size_t count) {
-        for (ExtremityMatching& matching : cheapest_matchings(
-                 pair, prominent(pair.a, radius), prominent(pair.b, radius), costs, count, tuning)) {
-            const auto is_same = [&](const ExtremityMatching& known) {
-                return known.pairs == matching.pairs;
-            };
-            if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(std::move(matching));
-        }
-    };
-    add(tuning.prominent_radius, tuning.n_matchings);
-    add(0, tuning.n_fine_matchings);
+    std::vector<ExtremityMatching> kept = cheapest_matchings(
+        pair, costs.topLeftCorner(pair.a.n_prominent, pair.b.n_prominent), tuning.n_matchings, tuning);
+    if (pair.a.n_prominent == costs.rows() && pair.b.n_prominent == costs.cols()) return kept;
+    for (ExtremityMatching& matching : cheapest_matchings(pair, costs, tuning.n_fine_matchings, tuning)) {
+        const auto is_same = [&](const ExtremityMatching& known) { return known.pairs == matching.pairs; };
+        if (std::none_of(kept.begin(), kept.end(), is_same)) kept.push_back(std::move(matching));
+    }
     return kept;
 }
 

@@ -16,8 +16,7 @@ struct ExtremityMatching {
     double cost = 0;
 };
 
-/// Of prominent extremities first, then of all; each of the two by increasing cost, any two of which mean
-/// different maps.
+/// Of the prominent extremities, then of all; both by increasing cost, any two of which mean different maps.
 std::vector<ExtremityMatching> match_extremities(const SampledPair& pair, const ExtremityTuning& tuning);
 
 }  // namespace counterpart::spectral_match

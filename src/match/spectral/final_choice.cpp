@@ -6,17 +6,15 @@
 #include "match/spectral/refinement.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
 
 // Near 1 for the same shape in the same pose.
 double total_score(const Scores& selection, const Cues& cues, const CueTuning& tuning) {
-    const double relief = std::accumulate(cues.relief.begin(), cues.relief.end(), 0.0) /
-                          static_cast<double>(cues.relief.size());
-    return (selection.total + tuning.relief_weight * relief - tuning.residual_weight * cues.residual -
-            tuning.wring_weight * cues.wring - tuning.drift_weight * selection.drift) /
+    return (selection.total + tuning.relief_weight * mean_relief(cues.relief) -
+            tuning.residual_weight * cues.residual - tuning.wring_weight * cues.wring -
+            tuning.drift_weight * selection.drift) /
            (1 + tuning.relief_weight);
 }
 
@@ -34,8 +32,8 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
     none.n_rounds = none.n_rounds_if_huge = 0;
     parallel_for(finalists.size(), 1, [&](std::size_t i) {
         Candidate& finalist = finalists[i];
-        const bool is_close = static_cast<std::ptrdiff_t>(i) < n_close;
-        finalist.on_vertices = refine(all, finalist, is_close ? tuning.refinement : none, progress);
+        finalist.was_tried = static_cast<std::ptrdiff_t>(i) < n_close;
+        finalist.on_vertices = refine(all, finalist, finalist.was_tried ? tuning.refinement : none, progress);
         finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
         finalist.scores.total = total_score(finalist.scores, finalist.cues, tuning.cues);
     });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -92,6 +93,11 @@ std::array<double, 4> relief_correlations(const PreparedShape& a, const Prepared
                     2;
     }
     return result;
+}
+
+double mean_relief(const std::array<double, 4>& correlations) {
+    return std::accumulate(correlations.begin(), correlations.end(), 0.0) /
+           static_cast<double>(correlations.size());
 }
 
 Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning) {

@@ -13,7 +13,7 @@ namespace counterpart::spectral_match {
 
 /// Of a map between all vertices, mean of both directions.
 struct Cues {
-    std::array<double, 4> relief{};  // correlations: see below
+    std::array<double, 4> relief{};  // see relief_correlations
     double residual =
         0;  // median over neighborhoods of what the best similarity leaves: 0 = a similarity, 1 = not
     double wring =
@@ -23,6 +23,8 @@ struct Cues {
 /// Of PreparedShape::relief under the map, mean of both directions.
 std::array<double, 4> relief_correlations(const PreparedShape& a, const PreparedShape& b,
                                           const PairedMaps& on_vertices);
+
+double mean_relief(const std::array<double, 4>& correlations);
 
 /// `pair` with neighborhoods of CueTuning::radius.
 Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning = {});

@@ -69,12 +69,23 @@ EigenBasis basis_of(const PreparedShape& shape, const DistanceGraph& graph, int 
         n_functions, progress.part(0.5, 1).callback());
 }
 
-void find_extremities(PreparedShape& shape, const DistanceGraph& graph, double radius,
+void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const PreparationTuning& tuning,
                       const ProgressRange& progress) {
-    shape.extremities = geodesic::extremities(
-        graph, shape.sample_distances.cast<double>().colwise().mean().transpose(), {.radius = radius});
+    const Vector average = shape.sample_distances.cast<double>().colwise().mean().transpose();
+    geodesic::ExtremityOptions options{.radius = tuning.extremity_radius,
+                                       .min_apart = tuning.prominent_apart,
+                                       .max_count = tuning.max_extremities};
+    shape.extremities = geodesic::extremities(graph, average, options);
+    shape.n_prominent = static_cast<int>(shape.extremities.size());
     std::vector<Index> vertices;
-    for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
+    for (const geodesic::Extremity& prominent : shape.extremities) vertices.push_back(prominent.vertex);
+    options.min_apart = 0;
+    for (const geodesic::Extremity& other : geodesic::extremities(graph, average, options)) {
+        if (static_cast<int>(vertices.size()) == tuning.max_extremities) break;
+        if (std::find(vertices.begin(), vertices.end(), other.vertex) != vertices.end()) continue;
+        shape.extremities.push_back(other);
+        vertices.push_back(other.vertex);
+    }
     shape.extremity_distances = geodesic::finite_distance_rows(graph, vertices, unreachable, progress);
 }
 
@@ -173,7 +184,7 @@ PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const Pr
     progress.reach(0.2);
     const DistanceGraph graph(shape.mesh);
     sample(shape, graph, options, tuning, progress.part(0.2, 0.3));
-    find_extremities(shape, graph, tuning.extremity_radius, progress.part(0.3, 0.35));
+    find_extremities(shape, graph, tuning, progress.part(0.3, 0.35));
     shape.laplacian = laplace_beltrami(shape.mesh);
     shape.basis = basis_of(shape, graph, options.n_functions, tuning, progress.part(0.4, 0.9));
     progress.reach(0.9);

@@ -53,7 +53,8 @@ struct PreparedShape {
     std::vector<Index> samples;                    // farthest points, in that order
     std::vector<Index> cell_of_vertex;             // number of the nearest sample
     MatrixF sample_distances;                      // rows of the first samples x V
-    std::vector<geodesic::Extremity> extremities;  // most distant first
+    std::vector<geodesic::Extremity> extremities;  // prominent ones, then fine ones; most distant first
+    int n_prominent = 0;                           // extremities
     MatrixF extremity_distances;                   // extremities x V
 
     /// Vertices of the full mesh.

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/rivals.hpp"
 
-#include "base/parallel.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/round_trips.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -20,32 +18,55 @@ double damage(const SampledPair& all, const PairedMaps& maps, double most) {
            2;
 }
 
-// Equation 7.
+// Equation 7. Landmarks hold in a refined map even where the limb around them is wrong: what was asked for
+// counts as the map was before.
 double rival_score(const Candidate& rival, const SampledPair& all, const RivalTuning& tuning) {
-    const std::array<double, 4> relief = relief_correlations(all.a, all.b, rival.on_vertices);
     return rival.scores.total +
-           tuning.relief_weight * std::accumulate(relief.begin(), relief.end(), 0.0) / relief.size() -
-           tuning.damage_weight * damage(all, rival.on_vertices, tuning.most_damage);
+           tuning.relief_weight * mean_relief(relief_correlations(all.a, all.b, rival.on_vertices)) -
+           tuning.damage_weight * damage(all, rival.on_vertices, tuning.most_damage) -
+           disagreement(all.a, all.b, all.priors, rival.maps);
+}
+
+std::vector<Candidate*> rivals_among(std::vector<Candidate>& finalists, const RivalTuning& tuning) {
+    const double least = finalists.front().scores.total - tuning.close_score;
+    std::vector<Candidate*> rivals;
+    for (Candidate& finalist : finalists)
+        if (rivals.size() < tuning.n_refined && finalist.was_tried && finalist.scores.total >= least)
+            rivals.push_back(&finalist);
+    return rivals;
+}
+
+// The sample nearest to the image of each sample.
+std::vector<Index> between_samples(const PreparedShape& a, const PreparedShape& b,
+                                   const std::vector<Index>& b_from_a) {
+    std::vector<Index> result;
+    for (const Index v : a.samples)
+        result.push_back(b.cell_of_vertex[static_cast<std::size_t>(b_from_a[static_cast<std::size_t>(v)])]);
+    return result;
 }
 
 }  // namespace
 
 void refine_rivals(std::vector<Candidate>& finalists, const SampledPair& all, const RivalTuning& tuning,
                    const RefinementTuning& refinement, const ProgressRange& progress) {
-    const double least = finalists.front().scores.total - tuning.close_score;
-    const auto is_rival = [&](const Candidate& finalist) { return finalist.scores.total >= least; };
-    const auto n_rivals =
-        std::clamp<std::ptrdiff_t>(std::count_if(finalists.begin(), finalists.end(), is_rival), 1,
-                                   static_cast<std::ptrdiff_t>(tuning.n_refined));
-    std::vector<double> scores(static_cast<std::size_t>(n_rivals));
-    parallel_for(scores.size(), 1, [&](std::size_t i) {
-        finalists[i].on_vertices = refine(all, finalists[i], refinement, progress);
-        if (n_rivals > 1) scores[i] = rival_score(finalists[i], all, tuning);
-    });
+    const std::vector<Candidate*> rivals = rivals_among(finalists, tuning);
+    std::vector<double> scores;
+    for (Candidate* rival : rivals) {  // one after the other: each takes all threads, and its memory
+        rival->on_vertices = refine(all, *rival, refinement, progress.step(scores.size(), rivals.size()));
+        scores.push_back(rivals.size() == 1 ? 0 : rival_score(*rival, all, tuning));
+    }
+    if (rivals.size() <= 1) return;
     const auto best = std::max_element(scores.begin(), scores.end()) - scores.begin();
-    std::rotate(finalists.begin(), finalists.begin() + best, finalists.begin() + best + 1);
-    for (Candidate& other : finalists)
-        other.scores.total = std::min(other.scores.total, finalists.front().scores.total);
+    const double score = rivals[static_cast<std::size_t>(best)]->scores.total;
+    for (Candidate& finalist : finalists) finalist.scores.total = std::min(finalist.scores.total, score);
+    for (std::size_t i = 0; i < rivals.size(); ++i) {
+        rivals[i]->scores.total = score - (scores[static_cast<std::size_t>(best)] - scores[i]);
+        rivals[i]->maps = {between_samples(all.a, all.b, rivals[i]->on_vertices.b_from_a),
+                           between_samples(all.b, all.a, rivals[i]->on_vertices.a_from_b)};
+    }
+    // Of equals the first one stays first: the winner before those whose scores were capped to its.
+    std::swap(*rivals.front(), *rivals[static_cast<std::size_t>(best)]);
+    keep_distinct(finalists, MapDistance(all), tuning.distinct, finalists.size());
 }
 
 }  // namespace counterpart::spectral_match

@@ -172,7 +172,7 @@ void visit(Archive& archive, Shape& shape) {
     archive(shape.orientation.size, shape.orientation.n_coefficients, shape.orientation.values);
     archive(shape.samples, shape.cell_of_vertex, shape.sample_distances, shape.extremity_distances);
     auto n_extremities = static_cast<std::uint64_t>(shape.extremities.size());
-    archive(n_extremities);
+    archive(n_extremities, shape.n_prominent);
     if constexpr (!std::is_const_v<Shape>) {
         require(n_extremities == static_cast<std::uint64_t>(shape.extremity_distances.rows()),
                 "extremities are missing");
@@ -235,6 +235,7 @@ void require_consistent(const PreparedShape& shape) {
     require_below(shape.samples, n);
     require_below(shape.cell_of_vertex, static_cast<Index>(shape.samples.size()));
     for (const geodesic::Extremity& extremity : shape.extremities) require_below({extremity.vertex}, n);
+    require_below({shape.n_prominent}, static_cast<Index>(shape.extremities.size()) + 1);
 }
 
 }  // namespace

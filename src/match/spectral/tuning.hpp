@@ -23,9 +23,12 @@ struct PreparationTuning {
     /// Sources of rows of geodesic distance. They measure how far two maps are apart, and the average
     /// distance of a vertex, whose local maxima are the extremities.
     int n_distance_samples = 150;
-    /// Distance within which an extremity is the most distant point. 0.08 finds ears as well as feet: eight
-    /// to eleven on an animal, 0.15 six to eight.
+    /// Distance within which an extremity is the most distant point.
     double extremity_radius = 0.08;
+    /// Distance within which no more distant extremity lies beside a prominent one: an ear is one even where
+    /// the neck beside it is more distant, a finger is not.
+    double prominent_apart = 0.15;
+    int max_extremities = 12;  ///< prominent ones first, so that no finger takes the place of the head
     /// Diffusion times of mean curvature, fine to coarse.
     std::array<double, 4> curvature_times{0.0005, 0.001, 0.003, 0.01};
     int curvature_percentile = 95;  ///< magnitudes above are clamped, so that spikes do not outweigh the rest
@@ -71,10 +74,7 @@ struct PriorTuning {
 
 /// Stage 2a, partial matchings of extremities that keep geodesic distances.
 struct ExtremityTuning {
-    std::size_t n_matchings = 24;  ///< of prominent extremities; 0 = none
-    /// Distance. An extremity that a more distant one within it exceeds is not prominent: ears, toes. Unlike
-    /// bodies lack them, or have them at other places; where both have them, they tell a face from a mouth.
-    double prominent_radius = 0.15;
+    std::size_t n_matchings = 24;       ///< of prominent extremities; 0 = none
     std::size_t n_fine_matchings = 12;  ///< of all extremities; 0 = none
     std::size_t beam_width = 2000;      ///< partial matchings kept while the next extremity is assigned
     std::size_t min_pairs = 3;          ///< fewer fix no map
@@ -228,15 +228,18 @@ struct FinalChoiceTuning {
 };
 
 /// Stage 5, which of the refined ones is best (equation 7). On 50 pairs of animals the maps taken have a mean
-/// error of 3.69 (by the score alone 4.11, the best that close to it 3.68, the best finalists 3.52); without
-/// relief 3.90, without damage 3.83.
+/// error of 3.69 (by the score alone 4.11; the best of those refined have 3.68, the best of all finalists,
+/// refined in full, 3.52); without relief 3.90, without damage 3.83. The weights were not fitted: 1 and 2
+/// were tried for relief, 5 and 10 for damage (3.92).
 struct RivalTuning {
-    /// Those at most so far behind the best are refined in full. 0.03 to 0.3 tried, all within 0.003 of each
-    /// other: that close is all that matters, and the least takes the least time.
+    /// Those at most so far behind the best are refined in full. 0.03, 0.06, 0.1 and 0.3 (then all finalists)
+    /// are within 0.003 of each other, and the least takes the least time.
     double close_score = 0.03;
-    std::size_t n_refined = 4;  ///< at most, the best included
+    std::size_t n_refined = 4;  ///< at most, the best included; at least 1
     double relief_weight = 1, damage_weight = 5;
     double most_damage = 0.2;  ///< of a vertex: what has gone astray counts no more
+    /// A rival that refinement has made the same map is none. As of finalists.
+    Distinctness distinct{.mean = 0.05, .moved_share = 0.05};
 };
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.

@@ -8,6 +8,7 @@
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -43,6 +44,7 @@ TEST(Extremities, RefusesBadInput) {
     EXPECT_THROW(extremities(graph, Vector::Ones(3)), InvalidInput);
     EXPECT_THROW(extremities(graph, Vector::Ones(42), {.min_average = 0.5}), InvalidInput);
     EXPECT_THROW(extremities(graph, Vector::Ones(42), {.radius = 0}), InvalidInput);
+    EXPECT_THROW(extremities(graph, Vector::Ones(42), {.min_apart = -1}), InvalidInput);
     EXPECT_THROW(extremities(graph, Vector::Ones(42), {.max_count = 0}), InvalidInput);
 }
 
@@ -62,6 +64,29 @@ TEST(Extremities, AreTheEndsOfTheArmsLongestFirst) {
         EXPECT_GT(found[i].average_distance, 1.2);
     }
     EXPECT_EQ(extremities(graph, average, {.radius = 3, .max_count = 2}).size(), 2U);
+}
+
+TEST(Extremities, AnEarIsOneBesideAMoreDistantNeckAFingerBesideALongerOneIsNot) {
+    TriangleMesh strip = make_grid(21, 1);
+    strip.vertices.col(0) *= 21;
+    strip.vertices.col(1) *= 0.2;
+    const DistanceGraph graph(strip);
+    Vector average = Vector::Ones(strip.n_vertices());
+    // Along the strip, in steps of 1: a long finger at 2, a shorter one at 5, a slope up to 20 with an ear
+    // at 16.
+    const double at_x[] = {1, 1.5, 3,   1.5, 1.5, 2,   1.5, 1,   1,   1,   1,
+                           1, 1,   1.1, 1.2, 1.3, 1.7, 1.5, 1.9, 2.2, 2.5, 2.2};
+    for (Index v = 0; v < strip.n_vertices(); ++v)
+        average[v] = at_x[static_cast<int>(std::round(strip.vertices(v, 0)))];
+    const auto places = [&](const ExtremityOptions& options) {
+        std::vector<int> result;
+        for (const Extremity& extremity : extremities(graph, average, options))
+            result.push_back(static_cast<int>(std::round(strip.vertices(extremity.vertex, 0))));
+        return result;
+    };
+    EXPECT_EQ(places({.radius = 1.5}), (std::vector<int>{2, 20, 5, 16}));
+    EXPECT_EQ(places({.radius = 3.5}), (std::vector<int>{2, 20}));
+    EXPECT_EQ(places({.radius = 1.5, .min_apart = 3.5}), (std::vector<int>{2, 20, 16}));
 }
 
 TEST(Extremities, ASphereHasNone) {

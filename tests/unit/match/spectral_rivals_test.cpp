@@ -3,8 +3,10 @@
 #include "match/spectral/rivals.hpp"
 #include "match/spectral/round_trips.hpp"
 
+#include <counterpart/mesh/adjacency.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -44,20 +46,45 @@ struct SpectralRivals : testing::Test {
         }
         right.maps = {identity, identity};
         wrong.maps = {exchanged, exchanged};
+        right.was_tried = wrong.was_tried = true;
         right.scores.total = 0.59;
         wrong.scores.total = 0.6;
         right.scores.drift = wrong.scores.drift = 1;  // all rounds
     }
 };
 
+// Mean distance between vertices and their images: 0 for the identity.
+double error(const Candidate& candidate, const PreparedShape& shape) {
+    const Points images = shape.mesh.vertices(candidate.on_vertices.b_from_a, Eigen::all);
+    return (images - shape.mesh.vertices).rowwise().norm().mean();
+}
+
 TEST_F(SpectralRivals, ASmallLeadOfAWrongMapDoesNotLast) {
     std::vector<Candidate> finalists{wrong, right};
     refine_rivals(finalists, all, {}, refinement);
-    EXPECT_EQ(finalists[0].maps.b_from_a, right.maps.b_from_a);
+    ASSERT_EQ(finalists.size(), 2U);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
+    EXPECT_GT(error(finalists[1], shape), 0.05);
     EXPECT_EQ(finalists[0].scores.total, 0.59);
-    EXPECT_EQ(finalists[1].scores.total, 0.59) << "no more than the one that won";
-    for (const Candidate& finalist : finalists)
-        EXPECT_EQ(finalist.on_vertices.b_from_a.size(), static_cast<std::size_t>(shape.mesh.n_vertices()));
+    EXPECT_LT(finalists[1].scores.total, 0.58) << "less by more than the lead it had";
+    EXPECT_NE(finalists[1].maps.b_from_a, wrong.maps.b_from_a) << "as it is once refined";
+}
+
+TEST_F(SpectralRivals, ReliefTellsByItself) {
+    RivalTuning tuning;
+    tuning.damage_weight = 0;
+    std::vector<Candidate> finalists{wrong, right};
+    refine_rivals(finalists, all, tuning, refinement);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
+}
+
+TEST_F(SpectralRivals, DamageTellsByItself) {
+    RivalTuning tuning;
+    tuning.relief_weight = 0;
+    tuning.damage_weight = 50;
+    std::vector<Candidate> finalists{wrong, right};
+    refine_rivals(finalists, all, tuning, refinement);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
 }
 
 TEST_F(SpectralRivals, OnlyThoseCloseToTheBestAreRefined) {
@@ -66,6 +93,16 @@ TEST_F(SpectralRivals, OnlyThoseCloseToTheBestAreRefined) {
     refine_rivals(finalists, all, {}, refinement);
     EXPECT_EQ(finalists[0].maps.b_from_a, wrong.maps.b_from_a);
     EXPECT_FALSE(finalists[0].on_vertices.b_from_a.empty());
+    EXPECT_TRUE(finalists[1].on_vertices.b_from_a.empty());
+    EXPECT_EQ(finalists[1].scores.total, 0.59);
+}
+
+TEST_F(SpectralRivals, WhatWasNotTriedBeforeCannotWin) {
+    right.was_tried = false;
+    right.scores.total = wrong.scores.total;
+    std::vector<Candidate> finalists{wrong, right};
+    refine_rivals(finalists, all, {}, refinement);
+    EXPECT_EQ(finalists[0].maps.b_from_a, wrong.maps.b_from_a);
     EXPECT_TRUE(finalists[1].on_vertices.b_from_a.empty());
 }
 
@@ -78,15 +115,69 @@ TEST_F(SpectralRivals, NoMoreAreRefinedThanAskedFor) {
     EXPECT_TRUE(finalists[1].on_vertices.b_from_a.empty());
 }
 
-TEST_F(SpectralRivals, TheIdentityReturnsWithoutTears) {
+TEST_F(SpectralRivals, OfThoseThatBecomeTheSameMapOneIsLeft) {
+    Candidate again = right;
+    again.scores.total = 0.585;
+    std::vector<Candidate> finalists{wrong, right, again};
+    refine_rivals(finalists, all, {}, refinement);
+    ASSERT_EQ(finalists.size(), 2U);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
+    EXPECT_GT(error(finalists[1], shape), 0.05);
+}
+
+TEST_F(SpectralRivals, ThoseThatWereLeftOutScoreNoMoreThanTheWinner) {
+    Candidate other = wrong;
+    other.was_tried = false;
+    std::vector<Candidate> finalists{wrong, other, right};
+    for (Index& image : finalists[1].maps.b_from_a) image = 0;
+    refine_rivals(finalists, all, {}, refinement);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
+    EXPECT_EQ(finalists[0].scores.total, 0.59);
+    ASSERT_EQ(finalists.size(), 3U);
+    EXPECT_EQ(finalists[1].scores.total, 0.59);
+    EXPECT_FALSE(finalists[1].was_tried);
+}
+
+TEST_F(SpectralRivals, WhatAPersonHasSaidCountsInFull) {
+    Eigen::Index tip = 0;
+    shape.mesh.vertices.col(1).maxCoeff(&tip);
+    const VertexPairs is_wrong{{static_cast<Index>(tip), static_cast<Index>(tip)}};
+    const Priors priors = make_priors(shape, shape, {}, is_wrong);
+    const SampledPair known(shape, shape, 300, CueTuning{}.radius, priors);
+    std::vector<Candidate> finalists{wrong, right};
+    refine_rivals(finalists, known, {}, refinement);
+    EXPECT_GT(error(finalists[0], shape), 0.05) << "the identity was excluded";
+}
+
+TEST_F(SpectralRivals, ProgressEndsAtItsEndAndCanBeCanceled) {
+    WorkState state;
+    std::vector<Candidate> finalists{wrong, right};
+    refine_rivals(finalists, all, {}, refinement, ProgressRange(state, 0, 0.9));
+    EXPECT_GT(state.fraction, 0.6);
+    EXPECT_LE(state.fraction, 0.9);
+    state.canceled = true;
+    finalists = {wrong, right};
+    EXPECT_THROW(refine_rivals(finalists, all, {}, refinement, ProgressRange(state)), Canceled);
+}
+
+TEST_F(SpectralRivals, OnlyTheLongWayOfAnEdgeIsATear) {
     std::vector<Index> identity(static_cast<std::size_t>(shape.mesh.n_vertices()));
     std::iota(identity.begin(), identity.end(), 0);
     EXPECT_EQ(round_trips_and_tears(shape, shape, {identity, identity}).maxCoeff(), 0);
     std::vector<Index> torn = identity;
-    std::swap(torn.front(), torn.back());
+    torn.front() = identity.back();
     const Vector damaged = round_trips_and_tears(shape, shape, {torn, identity});
-    const double apart = (shape.mesh.vertices.row(0) - shape.mesh.vertices.row(identity.back())).norm();
-    EXPECT_GE(damaged[0], apart);
+    const auto at = [&](Index v) { return shape.mesh.vertices.row(v); };
+    const Index far = identity.back();
+    const Adjacency adjacency(shape.mesh);
+    double largest = 0;
+    for (const Index w : adjacency.neighbors(0)) {
+        const double tear = (at(w) - at(far)).norm() - 2 * (at(w) - at(0)).norm();
+        EXPECT_NEAR(damaged[w], tear, 1e-12);
+        largest = std::max(largest, tear);
+    }
+    EXPECT_NEAR(damaged[0], (at(0) - at(far)).norm() + largest, 1e-12)
+        << "the way there and back, and the tear";
 }
 
 }  // namespace
