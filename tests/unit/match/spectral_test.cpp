@@ -255,6 +255,20 @@ TEST(MatchSpectral, PlanesAreSaidToBeFlat) {
     EXPECT_NE(all_of(result.warnings).find("flat"), std::string::npos);
 }
 
+TEST(MatchSpectral, OneOpenMeshIsWarnedOf) {
+    const TriangleMesh closed = bumpy_sphere(3);
+    TriangleMesh open = closed;
+    open.triangles.conservativeResize(open.n_triangles() - 12, Eigen::NoChange);
+    const auto warned = [](const TriangleMesh& source, const TriangleMesh& target, const char* sentence) {
+        const SpectralResult result = match_spectral(source, target, {}, small);
+        return all_of(result.warnings).find(sentence) != std::string::npos;
+    };
+    EXPECT_TRUE(warned(open, closed, "the source is open and the target closed"));
+    EXPECT_TRUE(warned(closed, open, "the target is open and the source closed"));
+    EXPECT_FALSE(warned(closed, closed, "is open and the"));
+    EXPECT_FALSE(warned(open, open, "is open and the"));
+}
+
 TEST(MatchSpectral, DustIsMatchedWithAWarning) {
     TriangleMesh dust{Points(90, 3), Triangles(30, 3)};
     for (Index t = 0; t < 30; ++t) {
