@@ -229,8 +229,8 @@ struct FinalChoiceTuning {
 
 /// Stage 5, which of the refined ones is best (equation 7). On 50 pairs of animals the maps taken have a mean
 /// error of 3.69 (by the score alone 4.11; the best of those refined have 3.68, the best of all finalists,
-/// refined in full, 3.52); without relief 3.90, without damage 3.83. The weights were not fitted: 1 and 2
-/// were tried for relief, 5 and 10 for damage (3.92).
+/// refined in full, 3.52); without relief 3.90 (damage counting twice as much 3.92), without damage 3.83. The
+/// weights were not fitted.
 struct RivalTuning {
     /// Those at most so far behind the best are refined in full. 0.03, 0.06, 0.1 and 0.3 (then all finalists)
     /// are within 0.003 of each other, and the least takes the least time.

@@ -96,10 +96,10 @@ Sentences warnings(const SampledPair& pair, const std::vector<Candidate>& finali
             fmt::format("the source has {} and the target {}: some parts may have no counterpart",
                         counted(source.n_components, "component", "components"), target.n_components));
     if ((source.n_boundary_loops > 0) != (target.n_boundary_loops > 0))
-        sentences.emplace_back(
-            source.n_boundary_loops > 0
-                ? "the source is open and the target closed: what is missing in one is matched all the same"
-                : "the target is open and the source closed: what is missing in one is matched all the same");
+        sentences.push_back(
+            fmt::format("the {} is open and the {} closed: what is missing in one is matched all the same",
+                        source.n_boundary_loops > 0 ? "source" : "target",
+                        source.n_boundary_loops > 0 ? "target" : "source"));
     add_score_warnings(pair, finalists, tuning, sentences);
     return sentences;
 }
