@@ -106,6 +106,29 @@ TEST_F(SpectralRivals, WhatWasNotTriedBeforeCannotWin) {
     EXPECT_TRUE(finalists[1].on_vertices.b_from_a.empty());
 }
 
+// The start is shifted by a few samples, which one refinement of few rounds does not mend.
+TEST_F(SpectralRivals, TheWinnerIsRefinedAgainWhileThatGains) {
+    for (std::vector<Index>* map : {&right.maps.b_from_a, &right.maps.a_from_b})
+        for (Index& image : *map) {
+            Eigen::Index shifted = 0;
+            const Eigen::RowVector3f to = all.positions_a.row(image) + Eigen::RowVector3f(0, 0, 0.15F);
+            (all.positions_a.rowwise() - to).rowwise().squaredNorm().minCoeff(&shifted);
+            image = static_cast<Index>(shifted);
+        }
+    const auto error_after = [&](int n_repeats) {
+        RivalTuning tuning;
+        tuning.n_repeats = n_repeats;
+        std::vector<Candidate> finalists{right};
+        refine_rivals(finalists, all, tuning, refinement);
+        EXPECT_EQ(finalists[0].scores.total, right.scores.total) << "repeating does not make it surer";
+        return error(finalists[0], shape);
+    };
+    const double once = error_after(0);
+    EXPECT_LT(error_after(3), 0.9 * once);
+    right.scores.drift = 0.5 * refinement.continued_drift;
+    EXPECT_EQ(error_after(3), error_after(0)) << "near isometries are not";
+}
+
 TEST_F(SpectralRivals, NoMoreAreRefinedThanAskedFor) {
     std::vector<Candidate> finalists{wrong, right};
     RivalTuning tuning;
