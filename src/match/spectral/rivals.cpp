@@ -73,6 +73,7 @@ void refine_again(Candidate& best, double score, int n_repeats, const SampledPai
 void refine_rivals(std::vector<Candidate>& finalists, const SampledPair& all, const RivalTuning& tuning,
                    const RefinementTuning& refinement, const ProgressRange& progress) {
     const std::vector<Candidate*> rivals = rivals_among(finalists, tuning);
+    if (rivals.empty()) return;  // no score is a number
     const ProgressRange once = progress.part(0, 0.5);
     std::vector<double> scores;
     for (Candidate* rival : rivals) {  // one after the other: each takes all threads, and its memory
