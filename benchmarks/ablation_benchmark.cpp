@@ -32,6 +32,7 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -61,7 +62,7 @@ std::vector<Variant> stages() {
          [](T& t) { t.candidates.extremities.n_matchings = t.candidates.extremities.n_fine_matchings = 0; }},
         {"no extrinsic candidates", 2, [](T& t) { t.candidates.extrinsic.enabled = false; }},
         {"no sign flips", 2, [](T& t) { t.candidates.n_flip_rounds = 0; }},
-        {"no crossover", 3, [](T& t) { t.selection.n_crossed = 0; }},
+        {"all as near isometries", 3, [](T& t) { t.selection.near_isometry_drift = 1e9; }},
         {"no final choice", 4, [](T& t) { t.final_choice.n_tried = 1; }},
         {"no rivals", 5, [](T& t) { t.rivals.n_refined = 1; }},
         {"no elastic fit", 5, [](T& t) { t.refinement.position_weight = t.refinement.normal_weight = 0; }},
@@ -125,12 +126,6 @@ std::vector<Variant> constants() {
         "candidates: w_c", 2, [](T & t) -> auto& { return t.candidates.score.orthogonality; });
     add(
         "selection: samples", 3, [](T & t) -> auto& { return t.selection.n_samples; });
-    add(
-        "selection: families", 3, [](T & t) -> auto& { return t.selection.n_families; });
-    add(
-        "selection: crossed", 3, [](T & t) -> auto& { return t.selection.n_crossed; });
-    add(
-        "selection: children", 3, [](T & t) -> auto& { return t.selection.n_children; });
     add(
         "selection: final w_o", 3, [](T & t) -> auto& { return t.selection.final_score.orientation; });
     add(
@@ -223,6 +218,7 @@ double mean_error(const Known& source, const Known& target, const std::vector<In
 // What a stage gave with the method as it is, and the seconds up to there.
 struct Stage {
     std::vector<Candidate> maps;
+    bool is_unlike = false;
     double seconds = 0;
 };
 struct Shared {
@@ -256,10 +252,22 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
         now.maps = vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates);
     });
     take(3, shared.selection, [&] {
-        now.maps = select(coarse, std::move(now.maps), tuning.selection.n_finalists, tuning.selection);
+        std::vector<Candidate> selected =
+            select(coarse, now.maps, tuning.selection.n_finalists, tuning.selection);
+        now.is_unlike = selected.empty();
+        if (!now.is_unlike) now.maps = std::move(selected);
     });
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
-    take(4, shared.final_choice, [&] { choose_best(now.maps, all, tuning.final_choice); });
+    take(4, shared.final_choice, [&] {
+        if (now.is_unlike)
+            now.maps = choose_unlike(std::move(now.maps), all, 1, tuning.final_choice, tuning.rivals.score);
+        else
+            choose_best(now.maps, all, tuning.final_choice);
+    });
+    if (now.is_unlike) {
+        tuning.rivals.close_score = std::numeric_limits<double>::infinity();
+        tuning.rivals.n_refined = now.maps.size();
+    }
     const double start = processor_seconds();
     refine_rivals(now.maps, all, tuning.rivals, tuning.refinement);
     const double seconds = processor_seconds() - start;

@@ -3,23 +3,22 @@
 //
 // Choosing between candidates: every finalist's true error and every cue, the chosen one against the best.
 //
-//     candidates FOLDER PAIRS RESULTS.jsonl
+//     candidates FOLDER PAIRS RESULTS.jsonl [UP]
 //
 // FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
-// not run again. No search ends early here. "finalists" have scores, cues and errors after the brief
-// refinement, best first; "refined" has what the program ends with: the map ("mean_error" of the pair is its
-// error) and its runners-up, of which close ones are refined in full. Errors are geodesic at every 8th point,
-// times 100 / sqrt(target area). A pair above 6 is matched again with one landmark ("with_landmark"). Two
-// pairs run at a time, on one thread each. The last line on stdout: pairs, mean error of the chosen, of the
-// best finalist, and how many are above 6.
+// not run again. "finalists" have scores, cues and errors after the brief refinement, best first; "refined"
+// has what the program ends with: the map ("mean_error" of the pair is its error) and its runners-up. Errors
+// are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is matched again with one
+// landmark ("with_landmark"), and with UP, an axis (x, y or z) that is up in both meshes, with that alone
+// ("with_up"). Two pairs run at a time, on one thread each. The last line on stdout: pairs, mean error of the
+// chosen, of the best finalist, and how many are above 6.
 #include "base/parallel.hpp"
-#include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
-#include "match/spectral/final_choice.hpp"
 #include "match/spectral/prepared_shape.hpp"
+#include "match/spectral/refined_score.hpp"
 #include "match/spectral/rivals.hpp"
 #include "match/spectral/round_trips.hpp"
-#include "match/spectral/selection.hpp"
+#include "match/spectral/search.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
@@ -66,6 +65,7 @@ struct Known {
 
 constexpr Index step = 8;    // of the known points
 constexpr double wrong = 6;  // mean errors above
+constexpr std::size_t n_alternatives = 3;
 
 struct MapErrors {
     std::vector<double> means;  // of each map
@@ -123,16 +123,11 @@ struct Matched {
 
 Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
     const SpectralTuning tuning;
-    Matched found;
-    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
-    found.finalists = select(
-        coarse, vary_candidates(coarse, start_candidates(coarse, tuning.candidates), tuning.candidates),
-        tuning.selection.n_finalists, tuning.selection);
-    const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
-    choose_best(found.finalists, all, tuning.final_choice);
-    found.refined = found.finalists;
-    refine_rivals(found.refined, all, tuning.rivals, tuning.refinement);
-    return found;
+    Stopwatch watch;
+    Search found = search(a, b, priors, n_alternatives, tuning, {}, watch);
+    Matched matched{found.finalists, std::move(found.finalists)};
+    refine_rivals(matched.refined, found.all, found.rivals, tuning.refinement);
+    return matched;
 }
 
 // What becomes of a map when a point of a wrong limb is given as a landmark: the one at the 95th percentile
@@ -149,7 +144,16 @@ double error_with_landmark(const Known& source, const Known& target, const Vecto
     return errors_of(source, target, {&found.refined.front().on_vertices.b_from_a}).means[0];
 }
 
-Json measure(const Pair& pair, const Known& source, const Known& target) {
+// What becomes of a map when a person says which way is up.
+double error_with_up(const Known& source, const Known& target, const Eigen::Vector3d& up) {
+    SpectralOptions options;
+    options.up = up;
+    const Priors priors = make_priors(source.shape, target.shape, options, SpectralTuning{}.priors);
+    const Matched found = match_with(source.shape, target.shape, priors);
+    return errors_of(source, target, {&found.refined.front().on_vertices.b_from_a}).means[0];
+}
+
+Json measure(const Pair& pair, const Known& source, const Known& target, const Eigen::Vector3d& up) {
     const PreparedShape &a = source.shape, &b = target.shape;
     const double start = processor_seconds();
     const auto [finalists, refined] = match_with(a, b, nothing_known);
@@ -173,9 +177,16 @@ Json measure(const Pair& pair, const Known& source, const Known& target) {
                          {"residual", cues.residual},
                          {"wring", cues.wring}});
     }
-    for (std::size_t i = 0; i < refined.size(); ++i)
-        full.push_back({{"mean_error", found.means[i]}, {"total", refined[i].scores.total}});
     const SampledPair all(a, b, all_samples, 0);
+    const RefinedScoreTuning tuning;
+    for (std::size_t i = 0; i < refined.size(); ++i)
+        full.push_back(
+            {{"mean_error", found.means[i]},
+             {"total", refined[i].scores.total},
+             {"drift", refined[i].scores.drift},
+             {"refined_score", refined_score(all, refined[i], tuning)},
+             {"relief", mean_relief(relief_correlations(a, b, refined[i].on_vertices))},
+             {"normals", agreement_of_normals(a, b, refined[i].on_vertices, tuning.normal_radius)}});
     Json line{{"source", pair.first},
               {"target", pair.second},
               {"mean_error", error},
@@ -184,6 +195,7 @@ Json measure(const Pair& pair, const Known& source, const Known& target) {
               {"refined", full},
               {"vertices", evidence(source, all, refined, found.of_first)}};
     if (error > wrong) line["with_landmark"] = error_with_landmark(source, target, found.of_first);
+    if (error > wrong && !up.isZero(0)) line["with_up"] = error_with_up(source, target, up);
     return line;
 }
 
@@ -194,7 +206,14 @@ std::vector<Pair> list_pairs(const fs::path& file) {
     return pairs;
 }
 
-void run(const fs::path& folder, const fs::path& list, const fs::path& results) {
+Eigen::Vector3d axis(const std::string& name) {
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    const std::size_t i = std::string("xyz").find(name);
+    if (name.size() == 1 && i < 3) result[static_cast<Eigen::Index>(i)] = 1;
+    return result;
+}
+
+void run(const fs::path& folder, const fs::path& list, const fs::path& results, const Eigen::Vector3d& up) {
     std::vector<Json> lines;
     std::set<Pair> done;
     std::ifstream earlier(results);
@@ -217,7 +236,7 @@ void run(const fs::path& folder, const fs::path& list, const fs::path& results) 
     const auto work = [&] {
         for (std::size_t i = next++; i < pairs.size(); i = next++) {
             Json line = counterpart::with_threads(
-                1, [&] { return measure(pairs[i], get(pairs[i].first), get(pairs[i].second)); });
+                1, [&] { return measure(pairs[i], get(pairs[i].first), get(pairs[i].second), up); });
             const std::lock_guard lock(output_mutex);
             output << line.dump() << std::endl;
             lines.push_back(std::move(line));
@@ -248,11 +267,12 @@ void run(const fs::path& folder, const fs::path& list, const fs::path& results) 
 
 int main(int argc, char** argv) {
     if (argc < 4) {
-        std::fputs("usage: candidates FOLDER PAIRS RESULTS.jsonl\n", stderr);
+        std::fputs("usage: candidates FOLDER PAIRS RESULTS.jsonl [UP]\n", stderr);
         return 2;
     }
     try {
-        counterpart::spectral_match::run(argv[1], argv[2], argv[3]);
+        counterpart::spectral_match::run(argv[1], argv[2], argv[3],
+                                         counterpart::spectral_match::axis(argc > 4 ? argv[4] : ""));
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "error: %s\n", error.what());

@@ -6,6 +6,17 @@
 
 namespace counterpart::spectral_match {
 
+PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices) {
+    const auto between = [](const PreparedShape& from, const PreparedShape& to,
+                            const std::vector<Index>& map) {
+        std::vector<Index> result;
+        for (const Index v : from.samples)
+            result.push_back(to.cell_of_vertex[static_cast<std::size_t>(map[static_cast<std::size_t>(v)])]);
+        return result;
+    };
+    return {between(all.a, all.b, on_vertices.b_from_a), between(all.b, all.a, on_vertices.a_from_b)};
+}
+
 MapDistance::MapDistance(const SampledPair& pair) : a_(pair.a), b_(pair.b) {
     const auto nearest = [](const PreparedShape& shape, Index n_samples) {
         std::vector<Index> result;

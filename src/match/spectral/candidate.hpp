@@ -12,11 +12,15 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;    // empty before stage 4
-    Cues cues;                 // of stage 4
+    PairedMaps on_vertices;   // empty before stage 4
+    Cues cues;                // of stage 4
+    double disagreement = 0;  // with what is known, as the map was before refinement, in which landmarks hold
     bool was_flipped = false;  // its sign flips have been tried
     bool was_tried = false;    // refined briefly in stage 4: only such can win
 };
+
+/// Between the samples nearest to vertices and to their images.
+PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices);
 
 /// Mean distance between two maps of samples, measured between nearest distance samples.
 class MapDistance {

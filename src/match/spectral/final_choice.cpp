@@ -3,9 +3,11 @@
 #include "match/spectral/final_choice.hpp"
 
 #include "base/parallel.hpp"
+#include "match/spectral/refined_score.hpp"
 #include "match/spectral/refinement.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -16,6 +18,16 @@ double total_score(const Scores& selection, const Cues& cues, const CueTuning& t
             tuning.residual_weight * cues.residual - tuning.wring_weight * cues.wring -
             tuning.drift_weight * selection.drift) /
            (1 + tuning.relief_weight);
+}
+
+// Between all samples, with the scores of the selection.
+void measure(Candidate& candidate, const SampledPair& all, const FinalChoiceTuning& tuning) {
+    candidate.scores =
+        score_maps(all, candidate.maps,
+                   fit_functional_maps(all.points_a, all.points_b, candidate.maps, tuning.scored_size, false),
+                   tuning.score);
+    candidate.cues = measure_cues(all, candidate.on_vertices, tuning.cues);
+    candidate.scores.total = total_score(candidate.scores, candidate.cues, tuning.cues);
 }
 
 }  // namespace
@@ -32,6 +44,7 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
     none.n_rounds = none.n_rounds_if_huge = 0;
     parallel_for(finalists.size(), 1, [&](std::size_t i) {
         Candidate& finalist = finalists[i];
+        finalist.disagreement = disagreement(all.a, all.b, all.priors, finalist.maps);
         finalist.was_tried = static_cast<std::ptrdiff_t>(i) < n_close;
         finalist.on_vertices = refine(all, finalist, finalist.was_tried ? tuning.refinement : none, progress);
         finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
@@ -46,6 +59,30 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
     for (auto other = finalists.begin() + n_close; other != finalists.end(); ++other)
         other->scores.total = std::min(other->scores.total, best);
     sort_by_score(finalists);
+}
+
+std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
+                                     std::size_t count, const FinalChoiceTuning& tuning,
+                                     const RefinedScoreTuning& score, const ProgressRange& progress) {
+    std::vector<double> scores(candidates.size());
+    parallel_for(candidates.size(), 1, [&](std::size_t i) {
+        Candidate& candidate = candidates[i];
+        candidate.maps = match_points(all.points_a, all.points_b, candidate.functional);
+        candidate.disagreement = disagreement(all.a, all.b, all.priors, candidate.maps);
+        candidate.was_tried = true;
+        candidate.on_vertices = refine(all, candidate, tuning.refinement, progress);
+        candidate.maps = between_samples(all, candidate.on_vertices);
+        scores[i] = refined_score(all, candidate, score);
+    });
+    std::vector<std::size_t> order(candidates.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t i, std::size_t j) { return scores[i] > scores[j]; });
+    order.resize(std::min(order.size(), std::max(count, tuning.n_unlike)));
+    std::vector<Candidate> finalists;
+    for (const std::size_t i : order) finalists.push_back(std::move(candidates[i]));
+    parallel_for(finalists.size(), 1, [&](std::size_t i) { measure(finalists[i], all, tuning); });
+    return finalists;
 }
 
 }  // namespace counterpart::spectral_match

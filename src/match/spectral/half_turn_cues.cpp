@@ -50,6 +50,25 @@ std::vector<LocalFit> local_fits(const PreparedShape& from, const PreparedShape&
     return fits;
 }
 
+// In one direction.
+double agreement_of_normals(const PreparedShape& from, const PreparedShape& to, const std::vector<Index>& map,
+                            double radius) {
+    const Neighborhoods near(from, all_samples, radius);
+    const std::vector<LocalFit> fits = local_fits(from, to, near, map);
+    double sum = 0;
+    for (std::size_t center = 0; center < fits.size(); ++center) {
+        const std::size_t first = near.first[center], last = near.first[center + 1];
+        double agreeing = 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const Index v = from.samples[static_cast<std::size_t>(near.samples[i])];
+            agreeing += to.normals.row(map[static_cast<std::size_t>(v)])
+                            .dot(from.normals.row(v) * fits[center].rotation.transpose());
+        }
+        sum += agreeing / static_cast<double>(std::max<std::size_t>(last - first, 1));
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(fits.size(), 1));
+}
+
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0;
     const auto at =
@@ -98,6 +117,13 @@ std::array<double, 4> relief_correlations(const PreparedShape& a, const Prepared
 double mean_relief(const std::array<double, 4>& correlations) {
     return std::accumulate(correlations.begin(), correlations.end(), 0.0) /
            static_cast<double>(correlations.size());
+}
+
+double agreement_of_normals(const PreparedShape& a, const PreparedShape& b, const PairedMaps& on_vertices,
+                            double radius) {
+    return (agreement_of_normals(a, b, on_vertices.b_from_a, radius) +
+            agreement_of_normals(b, a, on_vertices.a_from_b, radius)) /
+           2;
 }
 
 Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning) {

@@ -26,6 +26,11 @@ std::array<double, 4> relief_correlations(const PreparedShape& a, const Prepared
 
 double mean_relief(const std::array<double, 4>& correlations);
 
+/// Mean cosine between normals and those of their images, after the best rotation of each neighborhood of
+/// that radius; mean of both directions. A half-turned limb bends the wrong way.
+double agreement_of_normals(const PreparedShape& a, const PreparedShape& b, const PairedMaps& on_vertices,
+                            double radius);
+
 /// `pair` with neighborhoods of CueTuning::radius.
 Cues measure_cues(const SampledPair& pair, const PairedMaps& on_vertices, const CueTuning& tuning = {});
 

@@ -3,12 +3,10 @@
 #include "match/spectral/pipeline.hpp"
 
 #include "base/parallel.hpp"
-#include "match/spectral/candidates.hpp"
 #include "match/spectral/confidence.hpp"
-#include "match/spectral/final_choice.hpp"
 #include "match/spectral/lift.hpp"
 #include "match/spectral/rivals.hpp"
-#include "match/spectral/selection.hpp"
+#include "match/spectral/search.hpp"
 #include "match/spectral/warnings.hpp"
 
 #include <algorithm>
@@ -20,52 +18,17 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// What the search between two shapes found, best first.
-struct Search {
-    SampledPair all;
-    std::vector<Candidate> finalists;
-    bool is_decided = false;
-
-    double score() const { return finalists.front().scores.total; }
-};
-
 // The stages between prepared shapes, and what all of them are told.
 struct Stages {
     const SpectralOptions& options;
     const SpectralTuning& tuning;
     Stopwatch watch;
 
-    // 2 to 4: maps between all samples.
     Search search(const PreparedShape& source, const PreparedShape& target, const Priors& priors,
                   const ProgressRange& progress) {
-        const std::size_t n_asked = static_cast<std::size_t>(options.n_alternatives) + 1,
-                          n_finalists = std::max(tuning.selection.n_finalists, n_asked);
-        const SampledPair coarse(source, target, tuning.candidates.n_samples,
-                                 tuning.candidates.rigidity_radius, priors);
-        std::vector<Candidate> candidates =
-            start_candidates(coarse, tuning.candidates, progress.part(0, 0.1));
-        watch.lap("candidates");
-        std::vector<Candidate> finalists =
-            select_if_decided(coarse, candidates, n_finalists, tuning.selection, progress.part(0.1, 0.2));
-        watch.lap("selection");
-        FinalChoiceTuning choice = tuning.final_choice;
-        choice.n_tried = std::max(choice.n_tried, n_asked);
-        const bool is_decided = !finalists.empty();
-        if (is_decided) {
-            choice.close_score = 0;  // what is decided needs no second look
-        } else {
-            candidates =
-                vary_candidates(coarse, std::move(candidates), tuning.candidates, progress.part(0.2, 0.4));
-            watch.lap("candidates");
-            finalists =
-                select(coarse, std::move(candidates), n_finalists, tuning.selection, progress.part(0.4, 0.7));
-            watch.lap("selection");
-        }
-        Search found{
-            {source, target, all_samples, choice.cues.radius, priors}, std::move(finalists), is_decided};
-        choose_best(found.finalists, found.all, choice, progress.part(0.7, 1));
-        watch.lap("final choice");
-        return found;
+        return spectral_match::search(source, target, priors,
+                                      static_cast<std::size_t>(options.n_alternatives), tuning, progress,
+                                      watch);
     }
 
     // 5 and 6: the best of the finalists on all vertices, and what is to be said about it; then all of it
@@ -73,9 +36,7 @@ struct Stages {
     SpectralResult finish(Search found, const ProgressRange& progress) {
         const SampledPair& pair = found.all;
         std::vector<Candidate>& finalists = found.finalists;
-        RivalTuning rivals = tuning.rivals;
-        if (found.is_decided) rivals.n_refined = 1;
-        refine_rivals(finalists, pair, rivals, tuning.refinement, progress.part(0, 0.9));
+        refine_rivals(finalists, pair, found.rivals, tuning.refinement, progress.part(0, 0.9));
         const PairedMaps& maps = finalists.front().on_vertices;
         watch.lap("refinement");
         SpectralResult result;

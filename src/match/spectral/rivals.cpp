@@ -2,99 +2,102 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/rivals.hpp"
 
+#include "match/spectral/refined_score.hpp"
 #include "match/spectral/refinement.hpp"
-#include "match/spectral/round_trips.hpp"
 
 #include <algorithm>
 
 namespace counterpart::spectral_match {
 namespace {
 
-// Mean over both shapes of how far vertices end from where they began, and tears.
-double damage(const SampledPair& all, const PairedMaps& maps, double most) {
-    const PairedMaps reversed{maps.a_from_b, maps.b_from_a};
-    return (round_trips_and_tears(all.a, all.b, maps).cwiseMin(most).mean() +
-            round_trips_and_tears(all.b, all.a, reversed).cwiseMin(most).mean()) /
-           2;
-}
+// A finalist that is refined in full, and by equation 7 how well it then does.
+struct Rival {
+    Candidate* candidate;
+    double score = 0;
+    bool is_settled = false;  // refining it again gains nothing
+};
 
-// Equation 7. Landmarks hold in a refined map even where the limb around them is wrong: what was asked for
-// counts as the map was before.
-double rival_score(const Candidate& rival, const SampledPair& all, const RivalTuning& tuning) {
-    return rival.scores.total +
-           tuning.relief_weight * mean_relief(relief_correlations(all.a, all.b, rival.on_vertices)) -
-           tuning.damage_weight * damage(all, rival.on_vertices, tuning.most_damage) -
-           disagreement(all.a, all.b, all.priors, rival.maps);
-}
-
-std::vector<Candidate*> rivals_among(std::vector<Candidate>& finalists, const RivalTuning& tuning) {
+std::vector<Rival> rivals_among(std::vector<Candidate>& finalists, const RivalTuning& tuning) {
     const double least = finalists.front().scores.total - tuning.close_score;
-    std::vector<Candidate*> rivals;
+    std::vector<Rival> rivals;
     for (Candidate& finalist : finalists)
         if (rivals.size() < tuning.n_refined && finalist.was_tried && finalist.scores.total >= least)
-            rivals.push_back(&finalist);
+            rivals.push_back({&finalist});
     return rivals;
 }
 
-// The sample nearest to the image of each sample.
-std::vector<Index> between_samples(const PreparedShape& a, const PreparedShape& b,
-                                   const std::vector<Index>& b_from_a) {
-    std::vector<Index> result;
-    for (const Index v : a.samples)
-        result.push_back(b.cell_of_vertex[static_cast<std::size_t>(b_from_a[static_cast<std::size_t>(v)])]);
-    return result;
-}
+// Stages of the race, for progress: all once, then fewer and fewer again.
+class Race {
+  public:
+    Race(const SampledPair& all, const RivalTuning& tuning, const RefinementTuning& refinement,
+         const ProgressRange& progress)
+        : all_(all), tuning_(tuning), refinement_(refinement), progress_(progress) {}
 
-PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices) {
-    return {between_samples(all.a, all.b, on_vertices.b_from_a),
-            between_samples(all.b, all.a, on_vertices.a_from_b)};
-}
-
-// Once more from stiff to pliable, from where the last refinement ended, for as long as equation 7 gains.
-void refine_again(Candidate& best, double score, int n_repeats, const SampledPair& all,
-                  const RivalTuning& tuning, const RefinementTuning& refinement,
-                  const ProgressRange& progress) {
-    for (int repeat = 0; repeat < n_repeats; ++repeat) {
-        Candidate next = best;
-        next.maps = between_samples(all, best.on_vertices);
-        next.on_vertices =
-            refine(all, next, refinement,
-                   progress.step(static_cast<std::size_t>(repeat), static_cast<std::size_t>(n_repeats)));
-        next.maps = best.maps;  // what contradicts priors is told by the map as it was
-        const double next_score = rival_score(next, all, tuning);
-        if (next_score <= score) break;
-        best.on_vertices = std::move(next.on_vertices);
-        score = next_score;
+    // One rival after the other: each takes all threads, and its memory.
+    void run(std::vector<Rival>& rivals) const {
+        for (std::size_t i = 0; i < rivals.size(); ++i) {
+            Candidate& candidate = *rivals[i].candidate;
+            candidate.on_vertices = refine(all_, candidate, refinement_, part(0).step(i, rivals.size()));
+            rivals[i].score = refined_score(all_, candidate, tuning_.score);
+            // A near isometry has gone on from its brief refinement already, and has nowhere to go.
+            rivals[i].is_settled = candidate.scores.drift < refinement_.continued_drift;
+        }
+        best_first(rivals);
+        for (std::size_t round = 0; round < tuning_.n_repeated.size(); ++round) {
+            const std::size_t n = std::min(rivals.size(), tuning_.n_repeated[round]);
+            for (std::size_t i = 0; i < n; ++i) refine_again(rivals[i], part(round + 1).step(i, n));
+            best_first(rivals);
+        }
+        progress_.reach(1);
     }
-}
+
+  private:
+    // Once more from stiff to pliable, from where the last refinement ended.
+    void refine_again(Rival& rival, const ProgressRange& progress) const {
+        if (rival.is_settled) return;
+        Candidate next = *rival.candidate;
+        next.maps = between_samples(all_, next.on_vertices);
+        next.on_vertices = refine(all_, next, refinement_, progress);
+        const double score = refined_score(all_, next, tuning_.score);
+        rival.is_settled = score <= rival.score;
+        if (rival.is_settled) return;
+        rival.candidate->on_vertices = std::move(next.on_vertices);
+        rival.score = score;
+    }
+
+    static void best_first(std::vector<Rival>& rivals) {
+        std::stable_sort(rivals.begin(), rivals.end(),
+                         [](const Rival& x, const Rival& y) { return x.score > y.score; });
+    }
+
+    ProgressRange part(std::size_t round) const {
+        const auto n = static_cast<double>(tuning_.n_repeated.size() + 1), k = static_cast<double>(round);
+        return progress_.part(k / n, (k + 1) / n);
+    }
+
+    const SampledPair& all_;
+    const RivalTuning& tuning_;
+    const RefinementTuning& refinement_;
+    const ProgressRange progress_;
+};
 
 }  // namespace
 
 void refine_rivals(std::vector<Candidate>& finalists, const SampledPair& all, const RivalTuning& tuning,
                    const RefinementTuning& refinement, const ProgressRange& progress) {
-    const std::vector<Candidate*> rivals = rivals_among(finalists, tuning);
+    std::vector<Rival> rivals = rivals_among(finalists, tuning);
     if (rivals.empty()) return;  // no score is a number
-    const ProgressRange once = progress.part(0, 0.5);
-    std::vector<double> scores;
-    for (Candidate* rival : rivals) {  // one after the other: each takes all threads, and its memory
-        rival->on_vertices = refine(all, *rival, refinement, once.step(scores.size(), rivals.size()));
-        scores.push_back(rival_score(*rival, all, tuning));
-    }
-    const auto best = at(std::max_element(scores.begin(), scores.end()) - scores.begin());
-    Candidate& winner = *rivals[best];
-    const double score = winner.scores.total;
-    // A near isometry has gone on from its brief refinement already, and has nowhere to go.
-    if (winner.scores.drift >= refinement.continued_drift)
-        refine_again(winner, scores[best], tuning.n_repeats, all, tuning, refinement, progress.part(0.5, 1));
-    progress.reach(1);
+    Race(all, tuning, refinement, progress).run(rivals);
     if (rivals.size() == 1) return;
+    Candidate& winner = *rivals.front().candidate;
+    const double score = winner.scores.total;
     for (Candidate& finalist : finalists) finalist.scores.total = std::min(finalist.scores.total, score);
-    for (std::size_t i = 0; i < rivals.size(); ++i) {
-        rivals[i]->scores.total = score - (scores[best] - scores[i]);
-        rivals[i]->maps = between_samples(all, rivals[i]->on_vertices);
+    for (const Rival& rival : rivals) {
+        rival.candidate->scores.total = score - (rivals.front().score - rival.score);
+        rival.candidate->maps = between_samples(all, rival.candidate->on_vertices);
     }
     // Of equals the first one stays first: the winner before those whose scores were capped to its.
-    std::swap(*rivals.front(), winner);
+    std::swap(finalists.front(), winner);
     keep_distinct(finalists, MapDistance(all), tuning.distinct, finalists.size());
 }
 

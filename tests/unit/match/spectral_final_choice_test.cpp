@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/spectral/final_choice.hpp"
+#include "match/spectral/refined_score.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
 
@@ -84,6 +85,47 @@ TEST_F(SpectralFinalChoice, OneThatIsNotRefinedDoesNotWin) {
     choose_best(finalists, pair, tuning);
     EXPECT_EQ(finalists.front().maps.b_from_a, wrong.maps.b_from_a);
     EXPECT_GE(finalists.front().scores.total, finalists.back().scores.total);
+}
+
+TEST_F(SpectralFinalChoice, WhatContradictsAPersonIsThatOfTheMapBeforeItIsRefined) {
+    Eigen::Index tip = 0;
+    shape.mesh.vertices.col(1).maxCoeff(&tip);
+    const Priors priors =
+        make_priors(shape, shape, {}, VertexPairs{{static_cast<Index>(tip), static_cast<Index>(tip)}});
+    const SampledPair known(shape, shape, 300, CueTuning{}.radius, priors);
+    std::vector<Candidate> finalists{right};
+    choose_best(finalists, known, {});
+    EXPECT_EQ(finalists.front().disagreement, disagreement(shape, shape, priors, right.maps));
+    EXPECT_GT(finalists.front().disagreement, 1);
+    right.functional = fit_functional_maps(known.points_a, known.points_b, right.maps, 30, false);
+    EXPECT_GT(choose_unlike({right}, known, 1, {}, {}).front().disagreement, 1);
+}
+
+TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
+    for (Candidate* candidate : {&wrong, &right}) {
+        candidate->functional = fit_functional_maps(pair.points_a, pair.points_b, candidate->maps, 30, false);
+        candidate->maps = {};
+    }
+    FinalChoiceTuning tuning;
+    tuning.n_unlike = 1;
+    const std::vector<Candidate> both = choose_unlike({wrong, right}, pair, 2, tuning, {}),
+                                 one = choose_unlike({wrong, right}, pair, 1, tuning, {});
+    ASSERT_EQ(both.size(), 2U);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(both[0].on_vertices.b_from_a, one[0].on_vertices.b_from_a);
+    EXPECT_GT(refined_score(pair, both[0], {}), refined_score(pair, both[1], {}));
+    double error = 0;
+    for (std::size_t s = 0; s < one[0].maps.b_from_a.size(); ++s)
+        error += (pair.positions_a.row(static_cast<Eigen::Index>(s)) -
+                  pair.positions_b.row(one[0].maps.b_from_a[s]))
+                     .norm();
+    EXPECT_LT(error / static_cast<double>(one[0].maps.b_from_a.size()), 0.03);
+    for (const Candidate& candidate : both) {
+        EXPECT_TRUE(candidate.was_tried);
+        EXPECT_FALSE(candidate.on_vertices.b_from_a.empty());
+    }
+    EXPECT_GT(both[0].scores.total, both[1].scores.total);
+    EXPECT_TRUE(choose_unlike({}, pair, 1, tuning, {}).empty());
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -31,47 +30,7 @@ Candidate candidate(const std::vector<Index>& map) {
     return result;
 }
 
-TEST(SpectralCrossover, TakesTwoLimbsFromTheOtherMapAndTheRestFromTheBase) {
-    const PreparedShape shape = spiky();
-    const SampledPair pair(shape, shape, 300, 0.3);
-    ASSERT_EQ(shape.extremities.size(), 4U);
-    std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size()));
-    std::iota(identity.begin(), identity.end(), 0);
-    // The reflection in x = 0 exchanges two spikes and moves much of the rest.
-    std::vector<Index> reflection;
-    for (const Index s : identity) {
-        const Eigen::RowVector3f mirror = pair.positions_a.row(s).cwiseProduct(Eigen::RowVector3f(-1, 1, 1));
-        Eigen::Index nearest = 0;
-        (pair.positions_a.rowwise() - mirror).rowwise().squaredNorm().minCoeff(&nearest);
-        reflection.push_back(static_cast<Index>(nearest));
-    }
-    const std::vector<Candidate> children = crossovers(pair, candidate(identity), candidate(reflection), {});
-    bool found = false;
-    for (const Candidate& child : children) {
-        bool exchanges = true, keeps = true;
-        for (const Index s : identity) {
-            const Index image = child.maps.b_from_a[static_cast<std::size_t>(s)];
-            EXPECT_TRUE(image == s || image == reflection[static_cast<std::size_t>(s)]);
-            const float x = pair.positions_a(s, 0), y = pair.positions_a(s, 1), z = pair.positions_a(s, 2);
-            const float largest = pair.positions_a.cwiseAbs().maxCoeff();
-            if (std::abs(x) > 0.9F * largest) exchanges &= image == reflection[static_cast<std::size_t>(s)];
-            if (y > 0.9F * largest || z > 0.9F * largest) keeps &= image == s;
-        }
-        found |= exchanges && keeps;
-    }
-    EXPECT_TRUE(found);
-}
-
-TEST(SpectralCrossover, OfEqualMapsIsNothing) {
-    const PreparedShape shape = spiky();
-    const SampledPair pair(shape, shape, 300, 0.3);
-    std::vector<Index> identity(static_cast<std::size_t>(pair.points_a.size()));
-    std::iota(identity.begin(), identity.end(), 0);
-    EXPECT_TRUE(crossovers(pair, candidate(identity), candidate(identity), {}).empty());
-}
-
-// One map exchanges the spikes along +x and -x, the other those along +y and +z: only crossing makes the
-// right one.
+// One wrong map exchanges the spikes along +x and -x, the other those along +y and +z.
 struct SpectralSelection : testing::Test {
     const PreparedShape shape = spiky();
     const SampledPair pair{shape, shape, 300, 0.3};
@@ -79,8 +38,8 @@ struct SpectralSelection : testing::Test {
     std::vector<Candidate> wrong;
 
     SpectralSelection() {
-        tuning.n_samples = tuning.n_sift_samples = 300;
-        tuning.sizes = tuning.sift_sizes = tuning.final_sizes = {40};
+        tuning.n_samples = 300;
+        tuning.sizes = tuning.final_sizes = {40};
         wrong = {exchanged({-1, 1, 1}, {0}), exchanged({1, 1, 1}, {1, 2})};
     }
 
@@ -102,19 +61,20 @@ struct SpectralSelection : testing::Test {
         result.functional = fit_functional_maps(pair.points_a, pair.points_b, result.maps, 40, false);
         return result;
     }
-    Candidate best() const { return select(pair, wrong, 1, tuning, {}).front(); }
-
     Candidate right() const { return exchanged({1, 1, 1}, {}); }
 };
 
-TEST_F(SpectralSelection, CrossesMapsUnlessTheBestIsNearlyAnIsometry) {
-    const Candidate crossed = best();
-    tuning.least_crossed_drift = std::numeric_limits<double>::infinity();
-    const Candidate taken = best();
-    tuning.n_crossed = 0;
-    const Candidate plain = best();
-    EXPECT_GT(crossed.scores.total, taken.scores.total + 0.05);
-    EXPECT_EQ(taken.maps.b_from_a, plain.maps.b_from_a);
+TEST_F(SpectralSelection, IsOfNearIsometries) {
+    EXPECT_TRUE(select(pair, wrong, 8, tuning).empty());
+    EXPECT_TRUE(select(pair, {}, 8, tuning).empty());
+    std::vector<Candidate> known = wrong;
+    known.push_back(right());
+    const std::vector<Candidate> selected = select(pair, known, 8, tuning);
+    ASSERT_FALSE(selected.empty());
+    for (std::size_t s = 0; s < selected.front().maps.b_from_a.size(); ++s)
+        EXPECT_EQ(selected.front().maps.b_from_a[s], static_cast<Index>(s));
+    tuning.near_isometry_drift = 0;
+    EXPECT_TRUE(select(pair, known, 8, tuning).empty());
 }
 
 TEST_F(SpectralSelection, IsDecidedByAnIsometryFarAhead) {

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/search.hpp"
+
+#include "match/spectral/candidates.hpp"
+#include "match/spectral/final_choice.hpp"
+#include "match/spectral/selection.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace counterpart::spectral_match {
+
+Search search(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
+              std::size_t n_alternatives, const SpectralTuning& tuning, const ProgressRange& progress,
+              Stopwatch& watch) {
+    const std::size_t n_asked = n_alternatives + 1,
+                      n_finalists = std::max(tuning.selection.n_finalists, n_asked);
+    FinalChoiceTuning choice = tuning.final_choice;
+    choice.n_tried = std::max(choice.n_tried, n_asked);
+    Search found{{a, b, all_samples, choice.cues.radius, priors}, {}, tuning.rivals};
+    std::vector<Candidate>& finalists = found.finalists;
+    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
+
+    std::vector<Candidate> candidates = start_candidates(coarse, tuning.candidates, progress.part(0, 0.1));
+    watch.lap("candidates");
+    finalists = select_if_decided(coarse, candidates, n_finalists, tuning.selection, progress.part(0.1, 0.2));
+    watch.lap("selection");
+    if (!finalists.empty()) {  // what is decided needs no second look
+        choice.close_score = 0;
+        found.rivals.n_refined = 1;
+    } else {
+        candidates =
+            vary_candidates(coarse, std::move(candidates), tuning.candidates, progress.part(0.2, 0.4));
+        watch.lap("candidates");
+        finalists = select(coarse, candidates, n_finalists, tuning.selection, progress.part(0.4, 0.6));
+        watch.lap("selection");
+    }
+    if (!finalists.empty()) {
+        choose_best(finalists, found.all, choice, progress.part(0.6, 1));
+    } else {  // unlike shapes
+        finalists = choose_unlike(std::move(candidates), found.all, n_asked, choice, tuning.rivals.score,
+                                  progress.part(0.6, 1));
+        found.rivals.close_score = std::numeric_limits<double>::infinity();
+        found.rivals.n_refined = finalists.size();
+    }
+    watch.lap("final choice");
+    return found;
+}
+
+}  // namespace counterpart::spectral_match

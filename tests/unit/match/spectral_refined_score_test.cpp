@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/half_turn_cues.hpp"
+#include "match/spectral/refined_score.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// A sphere with spikes along +x, +y and -y, which differ in length, and its copy, turned and moved.
+struct SpectralRefinedScore : testing::Test {
+    static TriangleMesh three_spikes() {
+        TriangleMesh mesh = make_icosphere(3);
+        for (Index v = 0; v < mesh.n_vertices(); ++v) {
+            const auto p = mesh.vertices.row(v);
+            mesh.vertices.row(v) *= 1 + 2 * std::exp(-10 * (1 - p[0])) + 1.2 * std::exp(-10 * (1 - p[1])) +
+                                    1.6 * std::exp(-10 * (1 + p[1]));
+        }
+        return mesh;
+    }
+    static TriangleMesh turned(TriangleMesh mesh) {
+        const Eigen::Matrix3d turn =
+            Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+        mesh.vertices = (mesh.vertices * turn.transpose()).rowwise() + Eigen::RowVector3d(3, 1, 2);
+        return mesh;
+    }
+
+    const PreparedShape a = prepare(three_spikes(), {.n_functions = 60, .n_samples = 300}),
+                        b = prepare(turned(three_spikes()), {.n_functions = 60, .n_samples = 300});
+    const SampledPair all{a, b, all_samples, CueTuning{}.radius};
+    Candidate right, wrong;  // `wrong` exchanges +y and -y
+
+    SpectralRefinedScore() {
+        std::vector<Index> identity(static_cast<std::size_t>(a.mesh.n_vertices())), exchanged;
+        std::iota(identity.begin(), identity.end(), 0);
+        for (const Index v : identity) {
+            Eigen::Index nearest = 0;
+            const Eigen::RowVector3d mirrored =
+                a.mesh.vertices.row(v).cwiseProduct(Eigen::RowVector3d(1, -1, 1));
+            (a.mesh.vertices.rowwise() - mirrored).rowwise().squaredNorm().minCoeff(&nearest);
+            exchanged.push_back(static_cast<Index>(nearest));
+        }
+        right.on_vertices = {identity, identity};
+        wrong.on_vertices = {exchanged, exchanged};
+    }
+};
+
+TEST_F(SpectralRefinedScore, IsLargestForTheSameShapeHoweverItIsTurned) {
+    const RefinedScoreTuning tuning;
+    EXPECT_NEAR(refined_score(all, right, tuning), 1 + tuning.normal_weight, 1e-3);
+    EXPECT_LT(refined_score(all, wrong, tuning), refined_score(all, right, tuning) - 0.2);
+}
+
+TEST_F(SpectralRefinedScore, EachPartTellsByItself) {
+    EXPECT_GT(mean_relief(relief_correlations(a, b, right.on_vertices)),
+              mean_relief(relief_correlations(a, b, wrong.on_vertices)) + 0.05);
+    EXPECT_NEAR(agreement_of_normals(a, b, right.on_vertices, 0.3), 1, 1e-3);
+    EXPECT_LT(agreement_of_normals(a, b, wrong.on_vertices, 0.3), 0.9);
+    // One vertex gone astray counts as much as all of `most_damage` of it.
+    RefinedScoreTuning tuning;
+    Candidate torn = right;
+    torn.on_vertices.b_from_a.front() = torn.on_vertices.b_from_a.back();
+    const double before = refined_score(all, torn, tuning);
+    tuning.damage_weight *= 2;
+    EXPECT_LT(refined_score(all, torn, tuning), before - 1e-4);
+    EXPECT_EQ(refined_score(all, right, tuning), refined_score(all, right, {})) << "no damage";
+}
+
+TEST_F(SpectralRefinedScore, WhatContradictsAPersonIsTakenOff) {
+    const double before = refined_score(all, right, {});
+    right.disagreement = 0.25;
+    EXPECT_DOUBLE_EQ(refined_score(all, right, {}), before - 0.25);
+}
+
+TEST_F(SpectralRefinedScore, IsTheSameWithTheShapesExchanged) {
+    const SampledPair reversed{b, a, all_samples, CueTuning{}.radius};
+    Candidate back;
+    back.on_vertices = {wrong.on_vertices.a_from_b, wrong.on_vertices.b_from_a};
+    EXPECT_NEAR(refined_score(reversed, back, {}), refined_score(all, wrong, {}), 1e-9);
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
