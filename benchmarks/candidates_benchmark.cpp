@@ -184,7 +184,7 @@ Json measure(const Pair& pair, const Known& source, const Known& target, const E
             {{"mean_error", found.means[i]},
              {"total", refined[i].scores.total},
              {"drift", refined[i].scores.drift},
-             {"refined_score", refined_score(all, refined[i], tuning)},
+             {"refined_score", refined[i].refined_score},
              {"relief", mean_relief(relief_correlations(a, b, refined[i].on_vertices))},
              {"normals", agreement_of_normals(a, b, refined[i].on_vertices, tuning.normal_radius)}});
     Json line{{"source", pair.first},

@@ -38,7 +38,7 @@ Vector agreement(const SampledPair& pair, const std::vector<Candidate>& candidat
 
 Vector confidence(const SampledPair& pair, const PairedMaps& maps, const std::vector<Candidate>& candidates,
                   const ConfidenceTuning& tuning) {
-    const double whole = whole_confidence(candidates.front().scores.total, tuning);
+    const double whole = whole_confidence(candidates.front().refined_score, tuning);
     const Vector agreeing = agreement(pair, candidates, tuning);
     const Islands islands = find_islands(pair.a, pair.b, maps.b_from_a, tuning.islands);
     Vector result = round_trips_and_tears(pair.a, pair.b, maps);

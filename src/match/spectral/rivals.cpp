@@ -10,11 +10,12 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// A finalist that is refined in full, and by equation 7 how well it then does.
+// A finalist that is refined in full.
 struct Rival {
     Candidate* candidate;
-    double score = 0;
     bool is_settled = false;  // refining it again gains nothing
+
+    double score() const { return candidate->refined_score; }
 };
 
 std::vector<Rival> rivals_among(std::vector<Candidate>& finalists, const RivalTuning& tuning) {
@@ -38,7 +39,7 @@ class Race {
         for (std::size_t i = 0; i < rivals.size(); ++i) {
             Candidate& candidate = *rivals[i].candidate;
             candidate.on_vertices = refine(all_, candidate, refinement_, part(0).step(i, rivals.size()));
-            rivals[i].score = refined_score(all_, candidate, tuning_.score);
+            candidate.refined_score = refined_score(all_, candidate, tuning_.score);
             // A near isometry has gone on from its brief refinement already, and has nowhere to go.
             rivals[i].is_settled = candidate.scores.drift < refinement_.continued_drift;
         }
@@ -58,16 +59,16 @@ class Race {
         Candidate next = *rival.candidate;
         next.maps = between_samples(all_, next.on_vertices);
         next.on_vertices = refine(all_, next, refinement_, progress);
-        const double score = refined_score(all_, next, tuning_.score);
-        rival.is_settled = score <= rival.score;
+        next.refined_score = refined_score(all_, next, tuning_.score);
+        rival.is_settled = next.refined_score <= rival.score();
         if (rival.is_settled) return;
         rival.candidate->on_vertices = std::move(next.on_vertices);
-        rival.score = score;
+        rival.candidate->refined_score = next.refined_score;
     }
 
     static void best_first(std::vector<Rival>& rivals) {
         std::stable_sort(rivals.begin(), rivals.end(),
-                         [](const Rival& x, const Rival& y) { return x.score > y.score; });
+                         [](const Rival& x, const Rival& y) { return x.score() > y.score(); });
     }
 
     ProgressRange part(std::size_t round) const {
@@ -90,10 +91,10 @@ void refine_rivals(std::vector<Candidate>& finalists, const SampledPair& all, co
     Race(all, tuning, refinement, progress).run(rivals);
     if (rivals.size() == 1) return;
     Candidate& winner = *rivals.front().candidate;
-    const double score = winner.scores.total;
+    const double score = winner.scores.total, best = winner.refined_score;
     for (Candidate& finalist : finalists) finalist.scores.total = std::min(finalist.scores.total, score);
     for (const Rival& rival : rivals) {
-        rival.candidate->scores.total = score - (rivals.front().score - rival.score);
+        rival.candidate->scores.total = score - (best - rival.score());
         rival.candidate->maps = between_samples(all, rival.candidate->on_vertices);
     }
     // Of equals the first one stays first: the winner before those whose scores were capped to its.

@@ -37,6 +37,7 @@ struct SpectralConfidence : testing::Test {
         Candidate result;
         result.maps = {map, map};
         result.scores.total = score;
+        result.refined_score = 1.5 * score;
         return result;
     }
 
