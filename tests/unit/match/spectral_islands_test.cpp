@@ -84,6 +84,7 @@ TEST_F(SpectralIslands, AreDoubted) {
     candidate.maps.b_from_a.resize(shape.samples.size());
     candidate.maps.a_from_b.resize(shape.samples.size());
     candidate.scores.total = 1;
+    candidate.refined_score = 1.5;
     const Vector values = confidence(pair, {map, back}, {candidate});
     const double most = ConfidenceTuning{}.island_trust;
     Index n_sure = 0;
