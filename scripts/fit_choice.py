@@ -7,9 +7,9 @@
 
 RESULTS are of benchmarks/candidates. Pairs whose names contain one of the words (default: hippo, gorilla, centaur,
 cat) are left out of the fit and reported apart. A finalist is right if its error is below 1.5 times the best one's
-plus 1, wrong above twice the best one's plus 4. Only near isometries are ranked so; confidence is of all pairs. Weights minimize the logistic loss over all right and wrong finalists
-of a pair, each pair counting 1, none below 0; the weight of the selection's score is 1. Needs NumPy. Nothing is
-random.
+plus 1, wrong above twice the best one's plus 4. Only near isometries are ranked so; confidence is of all pairs.
+Weights minimize the logistic loss over all right and wrong finalists of a pair, each pair counting 1, none below 0;
+the weight of the selection's score is 1. Needs NumPy. Nothing is random.
 """
 
 import argparse
