@@ -32,7 +32,6 @@
 #include <ctime>
 #include <fstream>
 #include <functional>
-#include <limits>
 #include <map>
 #include <string>
 
@@ -265,8 +264,8 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
             choose_best(now.maps, all, tuning.final_choice);
     });
     if (now.is_unlike) {
-        tuning.rivals.close_score = std::numeric_limits<double>::infinity();
-        tuning.rivals.n_refined = now.maps.size();
+        tuning.rivals.close_score = tuning.rivals.close_unlike;
+        tuning.rivals.n_refined = tuning.final_choice.n_unlike;
     }
     const double start = processor_seconds();
     refine_rivals(now.maps, all, tuning.rivals, tuning.refinement);

@@ -64,6 +64,9 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
 std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
                                      std::size_t count, const FinalChoiceTuning& tuning,
                                      const RefinedScoreTuning& score, const ProgressRange& progress) {
+    while (candidates.size() > count &&
+           candidates.back().scores.total < candidates.front().scores.total - tuning.close_candidate)
+        candidates.pop_back();
     std::vector<double> scores(candidates.size());
     parallel_for(candidates.size(), 1, [&](std::size_t i) {
         Candidate& candidate = candidates[i];
@@ -82,6 +85,9 @@ std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const Sa
     std::vector<Candidate> finalists;
     for (const std::size_t i : order) finalists.push_back(std::move(candidates[i]));
     parallel_for(finalists.size(), 1, [&](std::size_t i) { measure(finalists[i], all, tuning); });
+    // The first is as good as its score says, the others worse by as much as they are by equation 7.
+    for (std::size_t i = 1; i < finalists.size(); ++i)
+        finalists[i].scores.total = finalists[0].scores.total - (scores[order[0]] - scores[order[i]]);
     return finalists;
 }
 

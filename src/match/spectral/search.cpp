@@ -7,7 +7,6 @@
 #include "match/spectral/selection.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace counterpart::spectral_match {
 
@@ -41,8 +40,8 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
     } else {  // unlike shapes
         finalists = choose_unlike(std::move(candidates), found.all, n_asked, choice, tuning.rivals.score,
                                   progress.part(0.6, 1));
-        found.rivals.close_score = std::numeric_limits<double>::infinity();
-        found.rivals.n_refined = finalists.size();
+        found.rivals.close_score = found.rivals.close_unlike;
+        found.rivals.n_refined = choice.n_unlike;
     }
     watch.lap("final choice");
     return found;
