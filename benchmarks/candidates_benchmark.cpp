@@ -65,7 +65,6 @@ struct Known {
 
 constexpr Index step = 8;    // of the known points
 constexpr double wrong = 6;  // mean errors above
-constexpr std::size_t n_alternatives = 3;
 
 struct MapErrors {
     std::vector<double> means;  // of each map
@@ -124,7 +123,8 @@ struct Matched {
 Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors& priors) {
     const SpectralTuning tuning;
     Stopwatch watch;
-    Search found = search(a, b, priors, n_alternatives, tuning, {}, watch);
+    Search found =
+        search(a, b, priors, static_cast<std::size_t>(SpectralOptions{}.n_alternatives), tuning, {}, watch);
     Matched matched{found.finalists, std::move(found.finalists)};
     refine_rivals(matched.refined, found.all, found.rivals, tuning.refinement);
     return matched;

@@ -14,7 +14,7 @@ struct Candidate {
     Scores scores;
     PairedMaps on_vertices;    // empty before stage 4
     Cues cues;                 // of stage 4
-    double refined_score = 0;  // equation 7, of stage 5
+    double refined_score = 0;  // equation 7, of the last refinement
     double disagreement = 0;  // with what is known, as the map was before refinement, in which landmarks hold
     bool was_flipped = false;  // its sign flips have been tried
     bool was_tried = false;    // refined briefly in stage 4: only such can win

@@ -7,7 +7,6 @@
 #include "match/spectral/refinement.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -20,14 +19,14 @@ double total_score(const Scores& selection, const Cues& cues, const CueTuning& t
            (1 + tuning.relief_weight);
 }
 
-// Between all samples, with the scores of the selection.
-void measure(Candidate& candidate, const SampledPair& all, const FinalChoiceTuning& tuning) {
-    candidate.scores =
-        score_maps(all, candidate.maps,
-                   fit_functional_maps(all.points_a, all.points_b, candidate.maps, tuning.scored_size, false),
-                   tuning.score);
-    candidate.cues = measure_cues(all, candidate.on_vertices, tuning.cues);
-    candidate.scores.total = total_score(candidate.scores, candidate.cues, tuning.cues);
+// A refined map, by the score of the selection and by its cues.
+void measure(Candidate& candidate, const SampledPair& all, const SpectralTuning& tuning) {
+    candidate.scores = score_maps(all, candidate.maps,
+                                  fit_functional_maps(all.points_a, all.points_b, candidate.maps,
+                                                      tuning.selection.final_scored_size, false),
+                                  tuning.selection.final_score);
+    candidate.cues = measure_cues(all, candidate.on_vertices, tuning.final_choice.cues);
+    candidate.scores.total = total_score(candidate.scores, candidate.cues, tuning.final_choice.cues);
 }
 
 }  // namespace
@@ -62,33 +61,34 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
 }
 
 std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
-                                     std::size_t count, const FinalChoiceTuning& tuning,
-                                     const RefinedScoreTuning& score, const ProgressRange& progress) {
+                                     std::size_t count, const SpectralTuning& tuning,
+                                     const ProgressRange& progress) {
+    const FinalChoiceTuning& choice = tuning.final_choice;
     while (candidates.size() > count &&
-           candidates.back().scores.total < candidates.front().scores.total - tuning.close_candidate)
+           candidates.back().scores.total < candidates.front().scores.total - choice.close_candidate)
         candidates.pop_back();
-    std::vector<double> scores(candidates.size());
     parallel_for(candidates.size(), 1, [&](std::size_t i) {
         Candidate& candidate = candidates[i];
         candidate.maps = match_points(all.points_a, all.points_b, candidate.functional);
         candidate.disagreement = disagreement(all.a, all.b, all.priors, candidate.maps);
         candidate.was_tried = true;
-        candidate.on_vertices = refine(all, candidate, tuning.refinement, progress);
+        candidate.on_vertices = refine(all, candidate, choice.refinement, progress);
         candidate.maps = between_samples(all, candidate.on_vertices);
-        scores[i] = refined_score(all, candidate, score);
+        candidate.refined_score = refined_score(all, candidate, tuning.rivals.score);
     });
-    std::vector<std::size_t> order(candidates.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t i, std::size_t j) { return scores[i] > scores[j]; });
-    order.resize(std::min(order.size(), std::max(count, tuning.n_unlike)));
-    std::vector<Candidate> finalists;
-    for (const std::size_t i : order) finalists.push_back(std::move(candidates[i]));
-    parallel_for(finalists.size(), 1, [&](std::size_t i) { measure(finalists[i], all, tuning); });
+    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
+        return x.refined_score > y.refined_score;
+    });
+    candidates.resize(std::min(candidates.size(), std::max(count, choice.n_unlike)));
+    if (candidates.empty()) return {};
     // The first is as good as its score says, the others worse by as much as they are by equation 7.
-    for (std::size_t i = 1; i < finalists.size(); ++i)
-        finalists[i].scores.total = finalists[0].scores.total - (scores[order[0]] - scores[order[i]]);
-    return finalists;
+    const Candidate& best = candidates.front();
+    measure(candidates.front(), all, tuning);
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        measure(candidates[i], all, tuning);
+        candidates[i].scores.total = best.scores.total - (best.refined_score - candidates[i].refined_score);
+    }
+    return candidates;
 }
 
 }  // namespace counterpart::spectral_match

@@ -18,7 +18,7 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
 /// are, and the best by equation 7 come first, at least `count` of them if there are as many. `scores` are of
 /// the maps refined.
 std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
-                                     std::size_t count, const FinalChoiceTuning& tuning,
-                                     const RefinedScoreTuning& score, const ProgressRange& progress = {});
+                                     std::size_t count, const SpectralTuning& tuning,
+                                     const ProgressRange& progress = {});
 
 }  // namespace counterpart::spectral_match

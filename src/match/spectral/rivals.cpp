@@ -89,13 +89,13 @@ void refine_rivals(std::vector<Candidate>& finalists, const SampledPair& all, co
     std::vector<Rival> rivals = rivals_among(finalists, tuning);
     if (rivals.empty()) return;  // no score is a number
     Race(all, tuning, refinement, progress).run(rivals);
-    if (rivals.size() == 1) return;
     Candidate& winner = *rivals.front().candidate;
     const double score = winner.scores.total, best = winner.refined_score;
     for (Candidate& finalist : finalists) finalist.scores.total = std::min(finalist.scores.total, score);
     for (const Rival& rival : rivals) {
         rival.candidate->scores.total = score - (best - rival.score());
-        rival.candidate->maps = between_samples(all, rival.candidate->on_vertices);
+        // The map of a single one stays what it was compared by before.
+        if (rivals.size() > 1) rival.candidate->maps = between_samples(all, rival.candidate->on_vertices);
     }
     // Of equals the first one stays first: the winner before those whose scores were capped to its.
     std::swap(finalists.front(), winner);

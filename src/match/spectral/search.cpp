@@ -38,8 +38,7 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
     if (!finalists.empty()) {
         choose_best(finalists, found.all, choice, progress.part(0.6, 1));
     } else {  // unlike shapes
-        finalists = choose_unlike(std::move(candidates), found.all, n_asked, choice, tuning.rivals.score,
-                                  progress.part(0.6, 1));
+        finalists = choose_unlike(std::move(candidates), found.all, n_asked, tuning, progress.part(0.6, 1));
         found.rivals.close_score = found.rivals.close_unlike;
         found.rivals.n_refined = choice.n_unlike;
     }

@@ -98,7 +98,7 @@ TEST_F(SpectralFinalChoice, WhatContradictsAPersonIsThatOfTheMapBeforeItIsRefine
     EXPECT_EQ(finalists.front().disagreement, disagreement(shape, shape, priors, right.maps));
     EXPECT_GT(finalists.front().disagreement, 1);
     right.functional = fit_functional_maps(known.points_a, known.points_b, right.maps, 30, false);
-    EXPECT_GT(choose_unlike({right}, known, 1, {}, {}).front().disagreement, 1);
+    EXPECT_GT(choose_unlike({right}, known, 1, {}).front().disagreement, 1);
 }
 
 TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
@@ -106,10 +106,10 @@ TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
         candidate->functional = fit_functional_maps(pair.points_a, pair.points_b, candidate->maps, 30, false);
         candidate->maps = {};
     }
-    FinalChoiceTuning tuning;
-    tuning.n_unlike = 1;
-    const std::vector<Candidate> both = choose_unlike({wrong, right}, pair, 2, tuning, {}),
-                                 one = choose_unlike({wrong, right}, pair, 1, tuning, {});
+    SpectralTuning tuning;
+    tuning.final_choice.n_unlike = 1;
+    const std::vector<Candidate> both = choose_unlike({wrong, right}, pair, 2, tuning),
+                                 one = choose_unlike({wrong, right}, pair, 1, tuning);
     ASSERT_EQ(both.size(), 2U);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(both[0].on_vertices.b_from_a, one[0].on_vertices.b_from_a);
@@ -124,8 +124,15 @@ TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
         EXPECT_TRUE(candidate.was_tried);
         EXPECT_FALSE(candidate.on_vertices.b_from_a.empty());
     }
-    EXPECT_GT(both[0].scores.total, both[1].scores.total);
-    EXPECT_TRUE(choose_unlike({}, pair, 1, tuning, {}).empty());
+    EXPECT_NEAR(both[0].scores.total - both[1].scores.total,
+                refined_score(pair, both[0], {}) - refined_score(pair, both[1], {}), 1e-12);
+    EXPECT_TRUE(choose_unlike({}, pair, 1, tuning).empty());
+    // What scores much less than the best candidate is not tried.
+    right.scores.total = wrong.scores.total - 1.01 * tuning.final_choice.close_candidate;
+    EXPECT_EQ(choose_unlike({wrong, right}, pair, 2, tuning).size(), 2U) << "unless it is asked for";
+    const std::vector<Candidate> near = choose_unlike({wrong, right}, pair, 1, tuning);
+    ASSERT_EQ(near.size(), 1U);
+    EXPECT_EQ(near[0].on_vertices.b_from_a, both[1].on_vertices.b_from_a);
 }
 
 }  // namespace

@@ -62,7 +62,6 @@ TEST_F(SpectralRefinedScore, EachPartTellsByItself) {
               mean_relief(relief_correlations(a, b, wrong.on_vertices)) + 0.05);
     EXPECT_NEAR(agreement_of_normals(a, b, right.on_vertices, 0.3), 1, 1e-3);
     EXPECT_LT(agreement_of_normals(a, b, wrong.on_vertices, 0.3), 0.9);
-    // One vertex gone astray counts as much as all of `most_damage` of it.
     RefinedScoreTuning tuning;
     Candidate torn = right;
     torn.on_vertices.b_from_a.front() = torn.on_vertices.b_from_a.back();

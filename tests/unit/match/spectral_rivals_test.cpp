@@ -131,6 +131,14 @@ TEST_F(SpectralRivals, OfThoseThatBecomeTheSameMapOneIsLeft) {
     EXPECT_GT(error(finalists[1], shape), 0.05);
 }
 
+TEST_F(SpectralRivals, ARunnerUpThatIsTheSameMapIsDroppedThoughItWasNotRefined) {
+    Candidate again = right;
+    again.scores.total = right.scores.total - 1.01 * RivalTuning{}.close_score;
+    std::vector<Candidate> finalists{right, again};
+    refine_rivals(finalists, all, {}, refinement);
+    EXPECT_EQ(finalists.size(), 1U);
+}
+
 TEST_F(SpectralRivals, ThoseThatWereLeftOutScoreNoMoreThanTheWinner) {
     Candidate other = wrong;
     other.was_tried = false;

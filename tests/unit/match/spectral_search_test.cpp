@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/search.hpp"
+
+#include <counterpart/mesh/shapes.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+// A sphere with four spikes, of which the first has the given length.
+PreparedShape spiky(double first_length) {
+    TriangleMesh mesh = make_icosphere(4);
+    const Eigen::RowVector3d tips[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const double lengths[] = {first_length, 1.2, 2, 1.6};
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        double radius = 1;
+        for (int i = 0; i < 4; ++i)
+            radius += lengths[i] * std::exp(-10 * (1 - mesh.vertices.row(v).dot(tips[i])));
+        mesh.vertices.row(v) *= radius;
+    }
+    return prepare(mesh, {});
+}
+
+struct SpectralSearch : testing::Test {
+    const PreparedShape a = spiky(2.4);
+    SpectralTuning tuning;
+    Stopwatch watch;
+
+    Search between(const PreparedShape& b, std::size_t n_alternatives) {
+        return search(a, b, nothing_known, n_alternatives, tuning, {}, watch);
+    }
+};
+
+TEST_F(SpectralSearch, WhatIsDecidedHasOneRival) {
+    const Search found = between(a, 3);
+    EXPECT_EQ(found.rivals.n_refined, 1U);
+    const PairedMaps& maps = found.finalists.front().maps;
+    for (std::size_t s = 0; s < maps.b_from_a.size(); ++s) EXPECT_EQ(maps.b_from_a[s], static_cast<Index>(s));
+}
+
+TEST_F(SpectralSearch, OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals) {
+    tuning.selection.decided_lead = std::numeric_limits<double>::infinity();
+    const Search found = between(a, 3);
+    EXPECT_EQ(found.rivals.n_refined, tuning.rivals.n_refined);
+    EXPECT_EQ(found.rivals.close_score, tuning.rivals.close_score);
+}
+
+TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForArePutInOrderByEquation7) {
+    const Search found = between(spiky(0.6), 7);
+    EXPECT_EQ(found.rivals.n_refined, tuning.final_choice.n_unlike);
+    EXPECT_EQ(found.rivals.close_score, tuning.rivals.close_unlike);
+    EXPECT_EQ(found.finalists.size(), 8U);
+    for (std::size_t i = 1; i < found.finalists.size(); ++i)
+        EXPECT_LE(found.finalists[i].refined_score, found.finalists[i - 1].refined_score);
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
