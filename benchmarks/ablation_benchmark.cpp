@@ -20,6 +20,7 @@
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/rivals.hpp"
 #include "match/spectral/selection.hpp"
+#include "match/spectral/unlike_shapes.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/io/map_file.hpp>
@@ -232,7 +233,7 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
                               Shared& shared) {
     SpectralTuning tuning;
     variant.change(tuning);
-    tuning.refinement.continued_drift = 0;  // all rounds
+    tuning.refinement.goes_on = false;  // all rounds
     const PreparedShape &a = source.shape, &b = target.shape;
     const bool is_reference = shared.final_choice.maps.empty();
     Stage now;
@@ -259,14 +260,11 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
     take(4, shared.final_choice, [&] {
         if (now.is_unlike)
-            now.maps = choose_unlike(std::move(now.maps), all, 1, tuning);
+            now.maps = search_unlike(std::move(now.maps), all, 1, tuning);
         else
             choose_best(now.maps, all, tuning.final_choice);
     });
-    if (now.is_unlike) {
-        tuning.rivals.close_score = tuning.rivals.close_unlike;
-        tuning.rivals.n_refined = tuning.final_choice.n_unlike;
-    }
+    if (now.is_unlike) tuning.rivals.n_refined = 1;
     const double start = processor_seconds();
     refine_rivals(now.maps, all, tuning.rivals, tuning.refinement);
     const double seconds = processor_seconds() - start;

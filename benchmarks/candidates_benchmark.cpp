@@ -6,7 +6,7 @@
 //     candidates FOLDER PAIRS RESULTS.jsonl [UP]
 //
 // FOLDER and PAIRS as for accuracy. One JSON line per pair goes to RESULTS; pairs that are there already are
-// not run again. "finalists" have scores, cues and errors after the brief refinement, best first; "refined"
+// not run again. "finalists" have scores, cues and errors before the last refinement, best first; "refined"
 // has what the program ends with: the map ("mean_error" of the pair is its error) and its runners-up. Errors
 // are geodesic at every 8th point, times 100 / sqrt(target area). A pair above 6 is matched again with one
 // landmark ("with_landmark"), and with UP, an axis (x, y or z) that is up in both meshes, with that alone
@@ -14,6 +14,7 @@
 // chosen, of the best finalist, and how many are above 6.
 #include "base/parallel.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/spectral/lift.hpp"
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/refined_score.hpp"
 #include "match/spectral/rivals.hpp"
@@ -58,7 +59,8 @@ struct Known {
           shape(prepare(mesh, {})),
           points(read_vertex_map(folder / "corres" / (name + ".vts"), IndexBase::one)) {}
 
-    Index matched_point(Index k) const {
+    Index matched_point(Index k) const { return shape.vertex_of_input(points[k]); }
+    Index full_point(Index k) const {
         return shape.origin.matched_of_input[static_cast<std::size_t>(points[k])];
     }
 };
@@ -72,14 +74,16 @@ struct MapErrors {
 };
 
 // Of several maps at once: distances from one point to all its images cost one search.
-MapErrors errors_of(const Known& source, const Known& target,
-                    const std::vector<const std::vector<Index>*>& maps) {
+MapErrors errors_of(const Known& source, const Known& target, const std::vector<const PairedMaps*>& maps) {
+    std::vector<PairedMaps> lifted;
+    for (const PairedMaps* map : maps)
+        lifted.push_back(lift(source.shape, target.shape, *map, SpectralTuning{}.refinement, {}));
     std::vector<std::pair<Index, Index>> ends;
     for (Index k = 0; k < source.points.source_size(); k += step)
-        for (const std::vector<Index>* map : maps)
+        for (const PairedMaps& map : lifted)
             ends.emplace_back(target.points[k],
                               target.shape.origin.input_of_matched[static_cast<std::size_t>(
-                                  (*map)[static_cast<std::size_t>(source.matched_point(k))])]);
+                                  map.b_from_a[static_cast<std::size_t>(source.full_point(k))])]);
     const Vector distances = pair_distances(DistanceGraph(target.mesh), ends, {.n_threads = 1}) * 100 /
                              std::sqrt(surface_area(target.mesh));
     const auto n = static_cast<Eigen::Index>(maps.size());
@@ -141,7 +145,7 @@ double error_with_landmark(const Known& source, const Known& target, const Vecto
     const Priors priors = make_priors(source.shape, target.shape,
                                       VertexPairs{{source.matched_point(k), target.matched_point(k)}}, {});
     const Matched found = match_with(source.shape, target.shape, priors);
-    return errors_of(source, target, {&found.refined.front().on_vertices.b_from_a}).means[0];
+    return errors_of(source, target, {&found.refined.front().on_vertices}).means[0];
 }
 
 // What becomes of a map when a person says which way is up.
@@ -150,7 +154,7 @@ double error_with_up(const Known& source, const Known& target, const Eigen::Vect
     options.up = up;
     const Priors priors = make_priors(source.shape, target.shape, options, SpectralTuning{}.priors);
     const Matched found = match_with(source.shape, target.shape, priors);
-    return errors_of(source, target, {&found.refined.front().on_vertices.b_from_a}).means[0];
+    return errors_of(source, target, {&found.refined.front().on_vertices}).means[0];
 }
 
 Json measure(const Pair& pair, const Known& source, const Known& target, const Eigen::Vector3d& up) {
@@ -158,9 +162,9 @@ Json measure(const Pair& pair, const Known& source, const Known& target, const E
     const double start = processor_seconds();
     const auto [finalists, refined] = match_with(a, b, nothing_known);
     const double seconds = processor_seconds() - start;
-    std::vector<const std::vector<Index>*> maps;
+    std::vector<const PairedMaps*> maps;
     for (const auto* list : {&refined, &finalists})
-        for (const Candidate& candidate : *list) maps.push_back(&candidate.on_vertices.b_from_a);
+        for (const Candidate& candidate : *list) maps.push_back(&candidate.on_vertices);
     const MapErrors found = errors_of(source, target, maps);
     const double error = found.means[0];
     Json brief = Json::array(), full = Json::array();

@@ -65,7 +65,7 @@ std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const Sa
                                      const ProgressRange& progress) {
     const FinalChoiceTuning& choice = tuning.final_choice;
     while (candidates.size() > count &&
-           candidates.back().scores.total < candidates.front().scores.total - choice.close_candidate)
+           candidates.back().scores.total < candidates.front().scores.total - tuning.unlike.close_candidate)
         candidates.pop_back();
     parallel_for(candidates.size(), 1, [&](std::size_t i) {
         Candidate& candidate = candidates[i];
@@ -74,12 +74,12 @@ std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const Sa
         candidate.was_tried = true;
         candidate.on_vertices = refine(all, candidate, choice.refinement, progress);
         candidate.maps = between_samples(all, candidate.on_vertices);
-        candidate.refined_score = refined_score(all, candidate, tuning.rivals.score);
+        candidate.refined_score = refined_score(all, candidate, tuning.unlike.rivals.score);
     });
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
         return x.refined_score > y.refined_score;
     });
-    candidates.resize(std::min(candidates.size(), std::max(count, choice.n_unlike)));
+    candidates.resize(std::min(candidates.size(), std::max(count, tuning.unlike.rivals.n_refined)));
     if (candidates.empty()) return {};
     // The first is as good as its score says, the others worse by as much as they are by equation 7.
     const Candidate& best = candidates.front();

@@ -14,9 +14,9 @@ namespace counterpart::spectral_match {
 void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, const FinalChoiceTuning& tuning,
                  const ProgressRange& progress = {});
 
-/// Stage 4 of unlike shapes, instead of stage 3 as well: candidates (best first) are refined briefly as they
-/// are, and the best by equation 7 come first, at least `count` of them if there are as many. `scores` are of
-/// the maps refined.
+/// Of unlike shapes, which have no stage 3: candidates (best first) are refined briefly as they are, and the
+/// best by equation 7 come first, at least `count` of them if there are as many. `scores` are of the maps
+/// refined.
 std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
                                      std::size_t count, const SpectralTuning& tuning,
                                      const ProgressRange& progress = {});

@@ -116,7 +116,7 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                               const ExtraCoordinates& extra) {
         return pinned(match_points_nearby(a, b, functional, guess, rings, extra, progress), pins);
     };
-    const bool goes_on = !start.on_vertices.b_from_a.empty() && start.scores.drift < tuning.continued_drift;
+    const bool goes_on = tuning.goes_on && !start.on_vertices.b_from_a.empty();
     // Not among all functions: their details would pin dissimilar bodies where isometry put them.
     PairedMaps maps = goes_on
                           ? start.on_vertices

@@ -7,8 +7,9 @@
 namespace counterpart::spectral_match {
 
 /// Stage 5. The map of a candidate from `select`, between all samples, carried to all vertices of both
-/// shapes; that of a near isometry goes on from where its brief refinement (`on_vertices`) ended. Exchanging
-/// the shapes exchanges the maps. Pinned landmarks hold exactly, and the surfaces are bent through them.
+/// shapes; one that has been refined before goes on from there (`on_vertices`), unless `tuning` says
+/// otherwise. Exchanging the shapes exchanges the maps. Pinned landmarks hold exactly, and the surfaces are
+/// bent through them.
 PairedMaps refine(const SampledPair& all, const Candidate& start, const RefinementTuning& tuning = {},
                   const ProgressRange& progress = {});
 

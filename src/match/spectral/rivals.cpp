@@ -40,8 +40,6 @@ class Race {
             Candidate& candidate = *rivals[i].candidate;
             candidate.on_vertices = refine(all_, candidate, refinement_, part(0).step(i, rivals.size()));
             candidate.refined_score = refined_score(all_, candidate, tuning_.score);
-            // A near isometry has gone on from its brief refinement already, and has nowhere to go.
-            rivals[i].is_settled = candidate.scores.drift < refinement_.continued_drift;
         }
         best_first(rivals);
         for (std::size_t round = 0; round < tuning_.n_repeated.size(); ++round) {

@@ -5,6 +5,7 @@
 #include "match/spectral/candidates.hpp"
 #include "match/spectral/final_choice.hpp"
 #include "match/spectral/selection.hpp"
+#include "match/spectral/unlike_shapes.hpp"
 
 #include <algorithm>
 
@@ -37,10 +38,9 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
     }
     if (!finalists.empty()) {
         choose_best(finalists, found.all, choice, progress.part(0.6, 1));
-    } else {  // unlike shapes
-        finalists = choose_unlike(std::move(candidates), found.all, n_asked, tuning, progress.part(0.6, 1));
-        found.rivals.close_score = found.rivals.close_unlike;
-        found.rivals.n_refined = choice.n_unlike;
+    } else {
+        finalists = search_unlike(std::move(candidates), found.all, n_asked, tuning, progress.part(0.4, 1));
+        found.rivals.n_refined = 1;
     }
     watch.lap("final choice");
     return found;

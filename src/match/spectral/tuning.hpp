@@ -185,11 +185,12 @@ struct RefinementTuning {
     int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
     IslandTuning islands{};          ///< put back in the later rounds
     int n_rounds = 8;                ///< 0 = spectral coordinates and features alone, or the brief refinement
-    /// Below this drift only the last rounds are gone through: the brief refinement before the final choice
-    /// has come as far as the others. Errors of people change by 0.01 with 3, 4 or 5 rounds, by 0.02 with 2;
-    /// of animals, which are less isometric, without such a bound by 8 %. One body in two poses: 0.44, 0.42,
-    /// 0.39 with 3, 4, 5 rounds, 0.36 with all; each takes 0.02 s for 5000 vertices.
-    double continued_drift = 0.01;
+    /// A map that has been refined before goes on from there by the last rounds only: it has come as far.
+    /// Errors of people change by 0.01 with 3, 4 or 5 rounds, by 0.02 with 2; one body in two poses: 0.44,
+    /// 0.42, 0.39 with 3, 4, 5 rounds, 0.36 with all. Of unlike shapes, which have been refined on coarse
+    /// copies: 24 pairs of animals 3.26, 3.24 and 3.25 with 3, 5 and all. Each takes 0.02 s for 5000
+    /// vertices.
+    bool goes_on = true;
     int n_continued_rounds = 5;
     Index huge_mesh = 60000;  ///< above this many vertices there are fewer rounds
     int n_rounds_if_huge = 2;
@@ -207,17 +208,10 @@ struct CueTuning {
     double drift_weight = 15;
 };
 
-/// Stage 4, the final choice among briefly refined finalists.
+/// Stage 4 of near isometries, the final choice among briefly refined finalists.
 struct FinalChoiceTuning {
-    std::size_t n_tried = 8;    ///< at most, of near isometries
+    std::size_t n_tried = 8;    ///< at most
     double close_score = 0.15;  ///< those farther behind in the selection are matched but not refined
-    /// Of unlike shapes, candidates that score so much less than the best are not tried: of 62 pairs the one
-    /// taken is at most 0.17 behind.
-    double close_candidate = 0.2;
-    /// Of unlike shapes, so many go on: with 4 the 12 pairs of gorillas have 12.8 instead of 10.0. The best
-    /// of 8 is, refined briefly, better than the best of 6 by 0.4 (hippos), 0.0 (other animals), 1.0
-    /// (gorillas).
-    std::size_t n_unlike = 6;
     CueTuning cues;
     RefinementTuning refinement{
         .last_size = 80, .last_length = 0.1, .n_iterations = 8, .n_rounds = 3, .n_rounds_if_huge = 1};
@@ -234,22 +228,32 @@ struct RefinedScoreTuning {
     double most_damage = 0.2;  ///< of a vertex: what has gone astray counts no more
 };
 
-/// Stage 5, which of the refined ones is taken, and how often each is refined.
+/// Which of the refined maps is taken, and how often each is refined.
 struct RivalTuning {
-    RefinedScoreTuning score;
-    /// Of near isometries, those at most so far behind the best are refined in full. 0.03, 0.06, 0.1 and 0.3
+    RefinedScoreTuning score{};
+    /// Those at most so far behind the best are refined in full. Of near isometries 0.03, 0.06, 0.1 and 0.3
     /// (then all finalists) are within 0.003 of each other, and the least takes the least time.
     double close_score = 0.03;
-    std::size_t n_refined = 4;  ///< at most, of near isometries; at least 1
-    /// Of unlike shapes, by equation 7 after the brief refinement: on 62 pairs the same maps as with 0.1
-    /// to 9.
-    double close_unlike = 0.15;
+    std::size_t n_refined = 4;  ///< at most; at least 1
     /// How many of the best are then refined again from their own result, round by round, unless that gained
-    /// nothing before. None, {2, 1} and {6, 6} on the 12 pairs of gorillas: 11.3, 10.0, 10.0; on hippos and
-    /// other animals none is worse by 0.2 and 0.1.
-    std::vector<std::size_t> n_repeated{2, 1};
+    /// nothing before.
+    std::vector<std::size_t> n_repeated{};
     /// A rival that refinement has made the same map is none. As of finalists.
     Distinctness distinct{.mean = 0.05, .moved_share = 0.05};
+};
+
+/// Stage 4 of unlike shapes.
+struct UnlikeTuning {
+    /// Vertices of the coarse copies. 700, 1000, 1500 and all 5000 (then with 6 rivals and repeats {2, 1}, as
+    /// time allows) on 12 pairs with a hippo, 12 of other animals, 12 of gorillas: 5.5, 2.3, 7.1; 4.3, 2.2,
+    /// 9.5; 4.1, 2.2, 9.7; 4.5, 2.3, 10.0; in 6.8, 8.0, 10.5 and 26 s.
+    Index n_coarse = 1000;
+    /// Candidates that score so much less than the best are not tried: of 62 pairs the one taken is at most
+    /// 0.17 behind.
+    double close_candidate = 0.2;
+    /// By equation 7. With 6 rivals and repeats {2, 1} the 12 pairs of gorillas have 9.5 (a half-turn), with
+    /// repeats {4, 2, 1, 1} 9.4; with 12 or 24 rivals and {4, 2, 1} 5.27; with 24 and {12, 6, 2, 1} 5.25.
+    RivalTuning rivals{.close_score = 0.3, .n_refined = 12, .n_repeated = {4, 2, 1}};
 };
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
@@ -286,6 +290,7 @@ struct SpectralTuning {
     FinalChoiceTuning final_choice;
     RefinementTuning refinement;
     RivalTuning rivals;
+    UnlikeTuning unlike;
     ConfidenceTuning confidence;
 };
 

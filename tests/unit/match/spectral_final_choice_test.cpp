@@ -107,7 +107,7 @@ TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
         candidate->maps = {};
     }
     SpectralTuning tuning;
-    tuning.final_choice.n_unlike = 1;
+    tuning.unlike.rivals.n_refined = 1;
     const std::vector<Candidate> both = choose_unlike({wrong, right}, pair, 2, tuning),
                                  one = choose_unlike({wrong, right}, pair, 1, tuning);
     ASSERT_EQ(both.size(), 2U);
@@ -128,7 +128,7 @@ TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
                 refined_score(pair, both[0], {}) - refined_score(pair, both[1], {}), 1e-12);
     EXPECT_TRUE(choose_unlike({}, pair, 1, tuning).empty());
     // What scores much less than the best candidate is not tried.
-    right.scores.total = wrong.scores.total - 1.01 * tuning.final_choice.close_candidate;
+    right.scores.total = wrong.scores.total - 1.01 * tuning.unlike.close_candidate;
     EXPECT_EQ(choose_unlike({wrong, right}, pair, 2, tuning).size(), 2U) << "unless it is asked for";
     const std::vector<Candidate> near = choose_unlike({wrong, right}, pair, 1, tuning);
     ASSERT_EQ(near.size(), 1U);

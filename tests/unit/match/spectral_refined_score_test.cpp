@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/half_turn_cues.hpp"
 #include "match/spectral/refined_score.hpp"
+#include "support/spikes.hpp"
 
-#include <counterpart/mesh/shapes.hpp>
-
-#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -15,15 +13,6 @@ namespace {
 
 // A sphere with spikes along +x, +y and -y, which differ in length, and its copy, turned and moved.
 struct SpectralRefinedScore : testing::Test {
-    static TriangleMesh three_spikes() {
-        TriangleMesh mesh = make_icosphere(3);
-        for (Index v = 0; v < mesh.n_vertices(); ++v) {
-            const auto p = mesh.vertices.row(v);
-            mesh.vertices.row(v) *= 1 + 2 * std::exp(-10 * (1 - p[0])) + 1.2 * std::exp(-10 * (1 - p[1])) +
-                                    1.6 * std::exp(-10 * (1 + p[1]));
-        }
-        return mesh;
-    }
     static TriangleMesh turned(TriangleMesh mesh) {
         const Eigen::Matrix3d turn =
             Eigen::AngleAxisd(1.2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
@@ -31,8 +20,8 @@ struct SpectralRefinedScore : testing::Test {
         return mesh;
     }
 
-    const PreparedShape a = prepare(three_spikes(), {.n_functions = 60, .n_samples = 300}),
-                        b = prepare(turned(three_spikes()), {.n_functions = 60, .n_samples = 300});
+    const PreparedShape a = prepare(test::three_spikes(3), {.n_functions = 60, .n_samples = 300}),
+                        b = prepare(turned(test::three_spikes(3)), {.n_functions = 60, .n_samples = 300});
     const SampledPair all{a, b, all_samples, CueTuning{}.radius};
     Candidate right, wrong;  // `wrong` exchanges +y and -y
 
