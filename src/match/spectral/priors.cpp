@@ -67,9 +67,9 @@ double image_distance(const PreparedShape& a, const PreparedShape& b, const Prio
            2;
 }
 
-// Correlation of the coordinates along the common directions, all of them together.
-double agreement_of_directions(const PreparedShape& a, const PreparedShape& b,
-                               const Eigen::Matrix3Xd& directions, const std::vector<Index>& b_from_a) {
+// Mean over the common directions of what the correlation of the coordinates along it lacks.
+double missing_agreement(const PreparedShape& a, const PreparedShape& b, const Eigen::Matrix3Xd& directions,
+                         double enough, const std::vector<Index>& b_from_a) {
     const auto n = static_cast<Eigen::Index>(b_from_a.size());
     Eigen::MatrixXd x(n, directions.cols()), y = x;
     for (Eigen::Index s = 0; s < n; ++s) {
@@ -80,8 +80,11 @@ double agreement_of_directions(const PreparedShape& a, const PreparedShape& b,
     x.rowwise() -= x.colwise().mean().eval();
     y.rowwise() -= y.colwise().mean().eval();
     double sum = 0;
-    for (Eigen::Index d = 0; d < x.cols(); ++d)
-        sum += x.col(d).dot(y.col(d)) / std::max(x.col(d).norm() * y.col(d).norm(), 1e-12);
+    for (Eigen::Index d = 0; d < x.cols(); ++d) {
+        const double correlation =
+            x.col(d).dot(y.col(d)) / std::max(x.col(d).norm() * y.col(d).norm(), 1e-12);
+        sum += std::max(0.0, enough - correlation);
+    }
     return sum / static_cast<double>(x.cols());
 }
 
@@ -118,7 +121,8 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
         result +=
             tuning.excluded_weight * std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps));
     if (priors.directions.cols() > 0)
-        result -= tuning.direction_weight * agreement_of_directions(a, b, priors.directions, maps.b_from_a);
+        result += tuning.direction_weight *
+                  missing_agreement(a, b, priors.directions, tuning.enough_correlation, maps.b_from_a);
     return result;
 }
 

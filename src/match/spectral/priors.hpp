@@ -45,8 +45,8 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const Spectra
                    const PriorTuning& tuning);
 
 /// To be taken off the score of maps between the first samples: distances between landmarks and their images,
-/// excluded pairs that are near each other under the map, coordinates along the common directions that do not
-/// agree.
+/// excluded pairs that are near each other under the map, coordinates along common directions that are not
+/// even roughly in the same order.
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
                     const PairedMaps& maps);
 

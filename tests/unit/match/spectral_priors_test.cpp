@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/priors.hpp"
+#include "support/spikes.hpp"
+
+#include <numeric>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+PreparedShape spikes_turned_by(double angle) {
+    TriangleMesh mesh = test::three_spikes(3);
+    mesh.vertices *= Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix().transpose();
+    return prepare(mesh, {.n_functions = 20, .n_samples = 200});
+}
+
+// What a person's "y is up" has against the map that takes each sample to itself.
+double disagreement_on_up(const PreparedShape& a, const PreparedShape& b) {
+    std::vector<Index> identity(a.samples.size());
+    std::iota(identity.begin(), identity.end(), 0);
+    Priors priors;
+    priors.directions = Eigen::Vector3d::UnitY();
+    return disagreement(a, b, priors, {identity, identity});
+}
+
+TEST(SpectralPriors, ALeaningBodyAgreesOnWhatIsUpAndOneUpsideDownDoesNot) {
+    const PreparedShape upright = spikes_turned_by(0), leaning = spikes_turned_by(0.6),
+                        upside_down = spikes_turned_by(3.0);
+    EXPECT_EQ(disagreement_on_up(upright, upright), 0);
+    EXPECT_EQ(disagreement_on_up(upright, leaning), 0);
+    EXPECT_GT(disagreement_on_up(upright, upside_down), 1.5);
+}
+
+TEST(SpectralPriors, EachDirectionHasToAgree) {
+    const PreparedShape upright = spikes_turned_by(0);
+    PreparedShape mirrored_in_x = upright;
+    mirrored_in_x.mesh.vertices.col(0) *= -1;
+    std::vector<Index> identity(upright.samples.size());
+    std::iota(identity.begin(), identity.end(), 0);
+    Priors priors;
+    priors.directions = Eigen::Matrix3d::Identity();
+    const PairedMaps maps{identity, identity};
+    EXPECT_EQ(disagreement(upright, upright, priors, maps), 0);
+    EXPECT_NEAR(disagreement(upright, mirrored_in_x, priors, maps),
+                priors.tuning.direction_weight * (1 + priors.tuning.enough_correlation) / 3, 1e-9)
+        << "the other two do not make up for it";
+}
+
+}  // namespace
+}  // namespace counterpart::spectral_match
