@@ -253,9 +253,9 @@ struct RivalTuning {
 struct UnlikeTuning {
     /// Vertices of the coarse copies. With 6 rivals and repeats {2, 1}, 700, 1000, 1500 and all 5000
     /// give 5.5, 4.3, 4.1, 4.5 (12 pairs with a hippo), 2.3, 2.2, 2.2, 2.3 (12 of other animals), in 6.8,
-    /// 8, 10.5 and 26 s. With the rivals below, of 19 pairs of one person bent far over 1000 turns one half
-    /// round and is sure of it (so does 1500), 2000 none; of 12 gorillas 1000 turns none (5.3), 2000 one
-    /// (9.5), unsure of it.
+    /// 8, 10.5 and 26 s of a processor. With the rivals below, 12 gorillas have 5.3 with 1000 and 2000; but
+    /// of 19 pairs of one person bent far over 1000 and 1500 turn one half round and are sure of it, 2000
+    /// none.
     Index n_coarse = 2000;
     /// Candidates that score so much less than the best are not tried: of 62 pairs the one taken is at most
     /// 0.17 behind.
