@@ -50,8 +50,11 @@ TEST_F(SpectralSearch, OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals) {
     EXPECT_EQ(found.rivals.close_score, tuning.rivals.close_score);
 }
 
-TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenRefinedAndOneIsRefinedOnceMore) {
+TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefinedOnceMore) {
     const PreparedShape b = spiky(0.6);
+    tuning.unlike.rivals.n_refined = 2;
+    tuning.unlike.rivals.n_repeated = {1};
+    tuning.unlike.rivals.distinct = {.mean = 0, .moved_share = 0};
     const Search found = between(b, 7);
     EXPECT_EQ(found.rivals.n_refined, 1U);
     ASSERT_EQ(found.finalists.size(), 8U);
