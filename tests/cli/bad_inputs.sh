@@ -31,7 +31,7 @@ cd "$folder" || exit 1
 "$program" convert good.ply good.obj -q
 "$program" convert good.ply good.stl -q
 "$program" convert good.ply good.off -q
-"$program" deform body small.ply --subdivisions 1 -q
+"$program" deform body small.ply --subdivisions 0 -q
 mkdir files
 for format in off obj ply stl; do
   head -c 3000 good.$format > files/cut.$format
