@@ -12,12 +12,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 namespace counterpart::spectral_match {
 namespace {
 
 // Curvature at all scales and some wave kernel columns, each of mean 0 and variance 1.
-MatrixF features(const PreparedShape& shape, const RefinementTuning& tuning) {
+MatrixF intrinsic_features(const PreparedShape& shape, const RefinementTuning& tuning) {
     const Eigen::Index n_scales = shape.curvature.cols(), n = n_scales + tuning.n_wave_kernel;
     const Eigen::Index stride = shape.wave_kernel.cols() / tuning.n_wave_kernel;
     Eigen::MatrixXd all(shape.mesh.n_vertices(), n);
@@ -31,6 +33,17 @@ MatrixF features(const PreparedShape& shape, const RefinementTuning& tuning) {
     }
     // The embedding's squared length is about its number of functions.
     return all.cast<float>() * tuning.feature_weight;
+}
+
+// How near each vertex is to each landmark: what surrounds one is to go to what surrounds its image.
+MatrixF nearness(const PreparedShape& shape, const std::vector<PriorPair>& landmarks,
+                 VectorF PriorPair::*distances, const RefinementTuning& tuning) {
+    MatrixF all(shape.mesh.n_vertices(), static_cast<Eigen::Index>(landmarks.size()));
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        const auto relative = (landmarks[i].*distances).array() / tuning.landmark_reach;
+        all.col(static_cast<Eigen::Index>(i)) = tuning.landmark_weight * (-relative).exp();
+    }
+    return all;
 }
 
 // Positions and normals, weighted.
@@ -99,9 +112,15 @@ PairedMaps pinned(PairedMaps maps, const VertexPairs& pins) {
     return maps;
 }
 
-MatrixF side_by_side(const MatrixF& x, const MatrixF& y, const MatrixF& z) {
-    MatrixF all(x.rows(), x.cols() + y.cols() + z.cols());
-    all << x, y, z;
+MatrixF side_by_side(std::initializer_list<MatrixF> parts) {
+    Eigen::Index n = 0;
+    for (const MatrixF& part : parts) n += part.cols();
+    MatrixF all(parts.begin()->rows(), n);
+    n = 0;
+    for (const MatrixF& part : parts) {
+        all.middleCols(n, part.cols()) = part;
+        n += part.cols();
+    }
     return all;
 }
 
@@ -111,7 +130,11 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                   const ProgressRange& progress) {
     const PreparedShape &a = all.a, &b = all.b;
     const VertexPairs pins = all.priors.pins();
-    const MatrixF features_a = features(a, tuning), features_b = features(b, tuning);
+    const std::vector<PriorPair>& landmarks = all.priors.landmarks;
+    const MatrixF features_a = side_by_side(
+                      {intrinsic_features(a, tuning), nearness(a, landmarks, &PriorPair::from_a, tuning)}),
+                  features_b = side_by_side(
+                      {intrinsic_features(b, tuning), nearness(b, landmarks, &PriorPair::from_b, tuning)});
     const auto partners = [&](const PairedFunctionalMaps& functional, const PairedMaps& guess, int rings,
                               const ExtraCoordinates& extra) {
         return pinned(match_points_nearby(a, b, functional, guess, rings, extra, progress), pins);
@@ -151,8 +174,8 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                         [&] { bent_b.bend(maps.a_from_b, length, progress); });
         maps =
             partners(fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking), maps, tuning.rings,
-                     {side_by_side(features_a, bent_a.placement(), own_a),
-                      side_by_side(features_b, own_b, bent_b.placement())});
+                     {side_by_side({features_a, bent_a.placement(), own_a}),
+                      side_by_side({features_b, own_b, bent_b.placement()})});
     }
     return maps;
 }

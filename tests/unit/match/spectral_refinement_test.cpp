@@ -164,5 +164,32 @@ TEST(SpectralRefinement, PinsHoldAndTheSurfaceAroundThemFollows) {
     EXPECT_EQ(maps.a_from_b[12], 7);
 }
 
+TEST(SpectralRefinement, WhatSurroundsALandmarkFollowsIt) {
+    const PreparationOptions options{.n_functions = 60, .n_samples = 300};
+    const PreparedShape a = prepare(banana(0.1), options), b = prepare(banana(0.1), options);
+    RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 2};
+    Candidate start;
+    start.maps = slid(a, b, 0);
+    // Half a unit apart on the same side; what is around the first is asked to go to the second.
+    const Eigen::RowVector3d place(0, 1, 0), image(0.5, 1, 0);
+    const auto nearest = [&](const Eigen::RowVector3d& x) {
+        Eigen::Index v;
+        (a.mesh.vertices.rowwise() - x).rowwise().squaredNorm().minCoeff(&v);
+        return static_cast<Index>(v);
+    };
+    Priors soft = make_priors(a, b, VertexPairs{{nearest(place), nearest(image)}}, {});
+    soft.pinned = false;
+    const auto shift = [&](float weight) {  // of the vertices around the first
+        tuning.landmark_weight = weight;
+        const std::vector<Index> map = refine({a, b, all_samples, 0, soft}, start, tuning).b_from_a;
+        double sum = 0;
+        for (Index v = 0; v < a.mesh.n_vertices(); ++v)
+            if (soft.landmarks[0].from_a[v] < 0.1)
+                sum += b.mesh.vertices(map[static_cast<std::size_t>(v)], 0) - a.mesh.vertices(v, 0);
+        return sum;
+    };
+    EXPECT_GT(shift(200), shift(0) + 0.1);
+}
+
 }  // namespace
 }  // namespace counterpart::spectral_match
