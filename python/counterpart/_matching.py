@@ -56,7 +56,7 @@ def match(
         Known pairs (source vertex, target vertex), one or more: they guide the search of spectral and partial, and hold
         exactly.
     soft_landmarks : bool
-        Landmarks only guide the search.
+        Landmarks guide the map, but need not hold exactly.
     excluded : array_like of int, (n, 2), optional
         Spectral: pairs (source vertex, target vertex) that do not correspond, nor do their surroundings.
     aligned : bool

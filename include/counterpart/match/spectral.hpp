@@ -65,7 +65,7 @@ struct SpectralOptions {
     /// the whole map. They hold exactly in target_from_source, and in source_from_target where no two have
     /// the same target.
     std::vector<std::pair<Index, Index>> landmarks{};
-    bool soft_landmarks = false;  ///< landmarks guide the choice of the map only
+    bool soft_landmarks = false;  ///< landmarks guide the map, but need not hold exactly
     /// Pairs that do not correspond: maps that take the source vertex to within 0.15 sqrt(area) of the target
     /// vertex lose.
     std::vector<std::pair<Index, Index>> excluded{};
@@ -83,8 +83,8 @@ struct SpectralOptions {
 
 /// A runner-up.
 struct SpectralAlternative {
-    /// Every source vertex is matched. Refined in full if it scored nearly as well, briefly if it came close,
-    /// else not.
+    /// Every source vertex is matched. Refined in full if it scored nearly as well (of unlike shapes on
+    /// coarse copies), briefly if it came close, else not.
     VertexMap target_from_source;
     double score = 0;
     std::string description;  ///< how it differs from the best map: mirrored, turned, another limb

@@ -35,6 +35,7 @@ PreparedShape restricted(const PreparedShape& fine, const Proxy& proxy) {
         extremity.vertex = proxy.cell_of_full[at(extremity.vertex)];
     coarse.n_prominent = fine.n_prominent;
     coarse.extremity_distances = fine.extremity_distances(Eigen::all, kept);
+    coarse.orientation = fine.orientation;
     return coarse;
 }
 

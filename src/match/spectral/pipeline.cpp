@@ -104,7 +104,7 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
                      const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch watch) {
     Stages stages{options, tuning, std::move(watch)};
     // One inside out: badly oriented, or the mirror image of what it was. Where both are searched, the better
-    // score tells, and only the winner is refined.
+    // score tells, and only the winner is finished.
     const bool may_be_mirrored =
         !options.symmetric && source.origin.was_inside_out != target.origin.was_inside_out;
     std::optional<PreparedShape> mirror;

@@ -142,7 +142,7 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
     const bool goes_on = tuning.goes_on && !start.on_vertices.b_from_a.empty();
     // Not among all functions: their details would pin dissimilar bodies where isometry put them.
     PairedMaps maps = goes_on
-                          ? start.on_vertices
+                          ? pinned(start.on_vertices, pins)
                           : partners(fit_functional_maps(all.points_a, all.points_b, start.maps,
                                                          tuning.first_match_size, tuning.masked),
                                      spread(a, b, start.maps), tuning.first_rings, {features_a, features_b});

@@ -55,6 +55,8 @@ TEST_F(SpectralUnlikeShapes, TheRightMapComesFirstOnTheShapesThemselves) {
     EXPECT_LT(error(found[0].on_vertices), 0.02);
     EXPECT_GT(error(found[1].on_vertices), 0.05);
     EXPECT_GT(found[0].scores.total, found[1].scores.total + 0.05);
+    EXPECT_GT(found[0].scores.orientation, 0.5);
+    EXPECT_LT(found[1].scores.orientation, -0.5);  // and is said to be mirrored
 }
 
 TEST_F(SpectralUnlikeShapes, SmallOnesAreSearchedAsTheyAre) {
