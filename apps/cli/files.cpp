@@ -14,6 +14,7 @@
 #include <cstring>
 #include <map>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/stat.h>
@@ -104,6 +105,15 @@ fs::path folder_of(const fs::path& file) {
 
 // Tried, not asked: permissions say nothing of file systems that are read-only or none to write on.
 bool can_hold_files(const fs::path& folder) {
+#ifdef O_TMPFILE  // without a name, which would be left behind if the program is killed here
+    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (unnamed >= 0) {
+        ::close(unnamed);
+        return true;
+    }
+    const bool is_supported = errno != EOPNOTSUPP && errno != EISDIR;
+    if (is_supported) return false;
+#endif
     std::string name = (folder / ".counterpart-XXXXXX").string();
     const int file = ::mkstemp(name.data());
     if (file < 0) return false;
