@@ -170,7 +170,7 @@ TEST(SpectralRefinement, WhatSurroundsALandmarkFollowsIt) {
     RefinementTuning tuning{.first_match_size = 40, .last_size = 60, .n_rounds = 2};
     Candidate start;
     start.maps = slid(a, b, 0);
-    // Half a unit apart on the same side; what is around the first is asked to go to the second.
+    // Apart on the same side; what is around the first is asked to go to the second.
     const Eigen::RowVector3d place(0, 1, 0), image(0.5, 1, 0);
     const auto nearest = [&](const Eigen::RowVector3d& x) {
         Eigen::Index v;
