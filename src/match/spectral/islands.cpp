@@ -43,15 +43,51 @@ Parts parts_between_tears(const Adjacency& adjacency, const Vector& mass, const 
     return parts;
 }
 
+// How much longer edges of A get under a map.
+class Growth {
+  public:
+    Growth(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a)
+        : before_(a.mesh.vertices), after_(b.mesh.vertices(b_from_a, Eigen::all)) {}
+
+    double before(Index v, Index w) const { return (before_.row(v) - before_.row(w)).norm(); }
+    double after(Index v, Index w) const { return (after_.row(v) - after_.row(w)).norm(); }
+
+    // Of each vertex the median factor of the edges at its neighbors, 1 to `most`. A neighbor with very many
+    // edges, most of them far away, says nothing, and would take their number squared.
+    std::vector<double> usual(const Adjacency& adjacency, double most) const {
+        std::vector<double> result(at(adjacency.n_vertices()), 1), factors;
+        for (Index v = 0; v < adjacency.n_vertices(); ++v) {
+            factors.clear();
+            for (const Index w : adjacency.neighbors(v)) {
+                if (adjacency.neighbors(w).size() > most_edges) continue;
+                for (const Index u : adjacency.neighbors(w))
+                    if (before(w, u) > 0) factors.push_back(after(w, u) / before(w, u));
+            }
+            if (factors.empty()) continue;
+            const auto middle = factors.begin() + static_cast<std::ptrdiff_t>((factors.size() - 1) / 2);
+            std::nth_element(factors.begin(), middle, factors.end());
+            result[at(v)] = std::clamp(*middle, 1.0, most);
+        }
+        return result;
+    }
+
+  private:
+    static constexpr std::size_t most_edges = 64;  // of a neighbor
+
+    const Points& before_;
+    const Points after_;
+};
+
 }  // namespace
 
 Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
                      const IslandTuning& tuning) {
     const Adjacency adjacency(a.mesh);
+    const Growth growth(a, b, b_from_a);
+    const std::vector<double> usual = growth.usual(adjacency, tuning.most_growth);
     const auto is_torn = [&](Index v, Index w) {
-        const double before = (a.mesh.vertices.row(v) - a.mesh.vertices.row(w)).norm();
-        return (b.mesh.vertices.row(b_from_a[at(v)]) - b.mesh.vertices.row(b_from_a[at(w)])).norm() >
-               before + tuning.gap;
+        const double expected = (usual[at(v)] + usual[at(w)]) / 2 * growth.before(v, w);
+        return growth.after(v, w) > expected + tuning.gap;
     };
     const Parts parts = parts_between_tears(adjacency, a.basis.mass, is_torn);
     const double most = tuning.max_share * a.basis.mass.sum();

@@ -59,6 +59,34 @@ LaplaceBeltrami with_pins(LaplaceBeltrami laplacian, const std::vector<Index>& p
     return laplacian;
 }
 
+// Where a surface is pulled to, and how hard, relative to its area.
+struct Pull {
+    Points towards;
+    Vector strength;
+};
+
+// Each vertex is pulled to its image, and to all that the other map takes to it: what no image covers pulls
+// the surface over itself. Pinned vertices are pulled to where they are pinned alone.
+Pull pull_of_both(const PreparedShape& shape, const PreparedShape& other, const PairedMaps& maps,
+                  double back_pull, const std::vector<Index>& pinned) {
+    const Points images = other.mesh.vertices(maps.b_from_a, Eigen::all);
+    const Vector& area = shape.basis.mass;
+    Points offsets = Points::Zero(images.rows(), 3);
+    Vector pulling = area;
+    for (Index w = 0; w < other.mesh.n_vertices(); ++w) {
+        const Index v = maps.a_from_b[at(w)];
+        const double pull = back_pull * other.basis.mass[w];
+        offsets.row(v) += pull * (other.mesh.vertices.row(w) - images.row(v));
+        pulling[v] += pull;
+    }
+    for (const Index v : pinned) {
+        offsets.row(v).setZero();
+        pulling[v] = (1 + back_pull) * area[v];
+    }
+    return {images + pulling.cwiseInverse().asDiagonal() * offsets,
+            pulling.cwiseQuotient((1 + back_pull) * area)};
+}
+
 // A surface on its way to where the other one is.
 class BentSurface {
   public:
@@ -66,13 +94,17 @@ class BentSurface {
                 const RefinementTuning& tuning)
         : shape_(shape),
           other_(other),
+          pinned_(pinned),
           tuning_(tuning),
           fit_(shape.mesh.vertices, with_pins(shape.laplacian, pinned, tuning.pin_mass), tuning) {}
 
-    void bend(const std::vector<Index>& image, double stiffness_length, const ProgressRange& progress) {
-        const Points images = other_.mesh.vertices(image, Eigen::all);
-        const Points start = positions_.rows() > 0 ? positions_ : images;
-        positions_ = fit_(images, start, stiffness_length, tuning_.n_iterations, progress);
+    void bend(const PairedMaps& maps, double back_pull, double stiffness_length,
+              const ProgressRange& progress) {
+        const Pull pull = pull_of_both(shape_, other_, maps, back_pull, pinned_);
+        const Points start =
+            positions_.rows() > 0 ? positions_ : Points(other_.mesh.vertices(maps.b_from_a, Eigen::all));
+        positions_ =
+            fit_(pull.towards, start, stiffness_length, tuning_.n_iterations, progress, pull.strength);
     }
 
     // Islands go where the surface around them carries them.
@@ -99,6 +131,7 @@ class BentSurface {
 
     const PreparedShape& shape_;
     const PreparedShape& other_;
+    const std::vector<Index>& pinned_;
     const RefinementTuning& tuning_;
     ElasticFit fit_;
     Points positions_;
@@ -156,6 +189,7 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
         pinned_a.push_back(va);
         pinned_b.push_back(vb);
     }
+    const double back_pull = start.both_pull ? tuning.back_pull : 0;
     BentSurface bent_a(a, b, pinned_a, tuning), bent_b(b, a, pinned_b, tuning);
     const Progress checking = [&](double) {
         progress.check();
@@ -170,8 +204,10 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
         if (round >= tuning.islands.first_round)
             parallel_invoke([&] { bent_a.put_back_islands(maps.b_from_a, length, progress); },
                             [&] { bent_b.put_back_islands(maps.a_from_b, length, progress); });
-        parallel_invoke([&] { bent_a.bend(maps.b_from_a, length, progress); },
-                        [&] { bent_b.bend(maps.a_from_b, length, progress); });
+        parallel_invoke([&] { bent_a.bend(maps, back_pull, length, progress); },
+                        [&] {
+                            bent_b.bend({maps.a_from_b, maps.b_from_a}, back_pull, length, progress);
+                        });
         maps =
             partners(fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking), maps, tuning.rings,
                      {side_by_side({features_a, bent_a.placement(), own_a}),

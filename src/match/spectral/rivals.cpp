@@ -27,7 +27,7 @@ std::vector<Rival> rivals_among(std::vector<Candidate>& finalists, const RivalTu
     return rivals;
 }
 
-// Stages of the race, for progress: all once, then fewer and fewer again.
+// Stages of the race, for progress: all once, then fewer and fewer again, then the winner by both maps.
 class Race {
   public:
     Race(const SampledPair& all, const RivalTuning& tuning, const RefinementTuning& refinement,
@@ -47,11 +47,20 @@ class Race {
             for (std::size_t i = 0; i < n; ++i) refine_again(rivals[i], part(round + 1).step(i, n));
             best_first(rivals);
         }
+        if (tuning_.n_pull_rounds > 0) refine_with_both_pulling(rivals.front());
         progress_.reach(1);
     }
 
   private:
-    // Once more from stiff to pliable, from where the last refinement ended.
+    // They pull from then on, also on all vertices, whether or not that gains here.
+    void refine_with_both_pulling(Rival& winner) const {
+        winner.candidate->both_pull = true;
+        winner.is_settled = false;
+        for (std::size_t i = 0; i < tuning_.n_pull_rounds; ++i)
+            refine_again(winner, part(tuning_.n_repeated.size() + 1).step(i, tuning_.n_pull_rounds));
+    }
+
+    // Once more, from where the last refinement ended: from stiff to pliable, unless the tuning goes on.
     void refine_again(Rival& rival, const ProgressRange& progress) const {
         if (rival.is_settled) return;
         Candidate next = *rival.candidate;
@@ -70,7 +79,8 @@ class Race {
     }
 
     ProgressRange part(std::size_t round) const {
-        const auto n = static_cast<double>(tuning_.n_repeated.size() + 1), k = static_cast<double>(round);
+        const auto n = static_cast<double>(tuning_.n_repeated.size() + (tuning_.n_pull_rounds > 0 ? 2 : 1)),
+                   k = static_cast<double>(round);
         return progress_.part(k / n, (k + 1) / n);
     }
 

@@ -41,6 +41,7 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
     } else {
         finalists = search_unlike(std::move(candidates), found.all, n_asked, tuning, progress.part(0.4, 1));
         found.rivals.n_refined = 1;
+        found.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
     }
     watch.lap("final choice");
     return found;

@@ -114,6 +114,26 @@ TEST_F(SpectralIslands, AreNotThere) {
     EXPECT_TRUE(find_islands(shape, shape, slit, {}).empty);
 }
 
+// A limb that goes to a longer one, here from x = 0.05 on to one 3.6 times as long: its edges all go farther
+// apart by more than the gap, and nothing is torn.
+TEST_F(SpectralIslands, AreNotWhatStretchesAllAlong) {
+    PreparedShape longer;
+    longer.mesh = shape.mesh;
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+        if (x(v, 0) > 0.05) longer.mesh.vertices(v, 0) = 0.05 + 3.6 * (x(v, 0) - 0.05);
+    EXPECT_TRUE(find_islands(shape, longer, identity(), {.gap = 0.02}).empty);
+    EXPECT_FALSE(find_islands(shape, longer, identity(), {.gap = 0.02, .most_growth = 1}).empty)
+        << "or this proves nothing";
+    // A patch of it that goes to the other end is torn off.
+    const Index tip = nearest({x.col(0).maxCoeff(), 0, 0});
+    std::vector<Index> torn = identity();
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+        if ((x.row(v) - x.row(tip)).norm() < 0.1) torn[at(v)] = nearest({-x(v, 0), x(v, 1), x(v, 2)});
+    const Islands islands = find_islands(shape, longer, torn, {});
+    for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
+        EXPECT_EQ(islands.inside[at(v)] != 0, (x.row(v) - x.row(tip)).norm() < 0.1) << v;
+}
+
 TEST_F(SpectralIslands, AreCarriedByWhatIsAroundThem) {
     const std::vector<Index> map = with_ears_exchanged(0.12);
     const Eigen::Matrix3d turn =

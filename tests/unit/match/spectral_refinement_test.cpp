@@ -3,6 +3,7 @@
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/restricted_nearest.hpp"
+#include "support/spikes.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
 
@@ -128,6 +129,37 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
     for (std::size_t v = 0; v < after.b_from_a.size(); ++v)
         same += swapped.a_from_b[v] == after.b_from_a[v] ? 1 : 0;
     EXPECT_GT(same, after.b_from_a.size() * 98 / 100);  // rounding
+}
+
+// A limb that ends halfway down a longer one: the rest of that, which no image covers, pulls it on.
+TEST(SpectralRefinement, WhatNoImageCoversPulls) {
+    const TriangleMesh shorter = test::three_spikes();
+    TriangleMesh longer = shorter;
+    for (Index v = 0; v < longer.n_vertices(); ++v)
+        if (longer.vertices(v, 0) > 1) longer.vertices(v, 0) = 1 + 2 * (longer.vertices(v, 0) - 1);
+    const PreparationOptions options{.n_functions = 100, .n_samples = 300};
+    const PreparedShape a = prepare(shorter, options), b = prepare(longer, options);
+    const auto nearest = [](const Points& from, const Points& to) {
+        std::vector<Index> map(at(from.rows()));
+        for (Eigen::Index v = 0; v < from.rows(); ++v) {
+            Eigen::Index image = 0;
+            (to.rowwise() - from.row(v)).rowwise().squaredNorm().minCoeff(&image);
+            map[at(v)] = static_cast<Index>(image);
+        }
+        return map;
+    };
+    Candidate start;
+    start.on_vertices = {nearest(shorter.vertices, longer.vertices),
+                         nearest(longer.vertices, shorter.vertices)};
+    const SampledPair pair(a, b, all_samples, 0);
+    Eigen::Index tip = 0;
+    const double end = longer.vertices.col(0).maxCoeff(&tip);
+    const auto image_of_tip = [&] {
+        return longer.vertices(refine(pair, start, {.n_continued_rounds = 8}).b_from_a[at(tip)], 0);
+    };
+    EXPECT_LT(image_of_tip(), 0.8 * end) << "or this proves nothing";
+    start.both_pull = true;
+    EXPECT_GT(image_of_tip(), 0.98 * end);
 }
 
 TEST(SpectralRefinement, GoesOnFromAnEarlierOne) {

@@ -98,6 +98,22 @@ TEST_F(SpectralRivals, TheWinnerIsRefinedAgainWhileThatGains) {
     EXPECT_LT(error_after({1, 1, 1}), 0.9 * once);
 }
 
+TEST_F(SpectralRivals, BothMapsFinallyPullAtTheWinner) {
+    std::vector<Candidate> finalists{wrong, right};
+    RivalTuning tuning;
+    refine_rivals(finalists, all, tuning, refinement);
+    EXPECT_FALSE(finalists[0].both_pull);
+    const double before = finalists[0].refined_score;
+    tuning.n_pull_rounds = 2;
+    finalists = {wrong, right};
+    refine_rivals(finalists, all, tuning, refinement);
+    ASSERT_EQ(finalists.size(), 2U);
+    EXPECT_LT(error(finalists[0], shape), 0.02);
+    EXPECT_TRUE(finalists[0].both_pull);
+    EXPECT_FALSE(finalists[1].both_pull);
+    EXPECT_GE(finalists[0].refined_score, before) << "only taken where it gains";
+}
+
 TEST_F(SpectralRivals, NoMoreAreRefinedThanAskedFor) {
     std::vector<Candidate> finalists{wrong, right};
     RivalTuning tuning;
