@@ -18,7 +18,7 @@ struct Candidate {
     double disagreement = 0;  // with what is known, as the map was before refinement, in which landmarks hold
     bool was_flipped = false;  // its sign flips have been tried
     bool was_tried = false;    // refined briefly in stage 4: only such can win
-    bool both_pull = false;    // in refinement, the other map too
+    bool both_pull = false;    // in refinement the other map pulls at the surface as well
 };
 
 /// Between the samples nearest to vertices and to their images.
