@@ -260,11 +260,14 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
     take(4, shared.final_choice, [&] {
         if (now.is_unlike)
-            now.maps = search_unlike(std::move(now.maps), all, 1, tuning);
+            now.maps = search_unlike(std::move(now.maps), {}, all, 1, tuning);
         else
             choose_best(now.maps, all, tuning.final_choice);
     });
-    if (now.is_unlike) tuning.rivals.n_refined = 1;
+    if (now.is_unlike) {
+        tuning.rivals.n_refined = 1;
+        tuning.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
+    }
     const double start = processor_seconds();
     refine_rivals(now.maps, all, tuning.rivals, tuning.refinement);
     const double seconds = processor_seconds() - start;

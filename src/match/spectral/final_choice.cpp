@@ -43,7 +43,6 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
     none.n_rounds = none.n_rounds_if_huge = 0;
     parallel_for(finalists.size(), 1, [&](std::size_t i) {
         Candidate& finalist = finalists[i];
-        finalist.disagreement = disagreement(all.a, all.b, all.priors, finalist.maps);
         finalist.was_tried = static_cast<std::ptrdiff_t>(i) < n_close;
         finalist.on_vertices = refine(all, finalist, finalist.was_tried ? tuning.refinement : none, progress);
         finalist.cues = measure_cues(all, finalist.on_vertices, tuning.cues);
@@ -70,11 +69,10 @@ std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const Sa
     parallel_for(candidates.size(), 1, [&](std::size_t i) {
         Candidate& candidate = candidates[i];
         candidate.maps = match_points(all.points_a, all.points_b, candidate.functional);
-        candidate.disagreement = disagreement(all.a, all.b, all.priors, candidate.maps);
         candidate.was_tried = true;
         candidate.on_vertices = refine(all, candidate, choice.refinement, progress);
         candidate.maps = between_samples(all, candidate.on_vertices);
-        candidate.refined_score = refined_score(all, candidate, tuning.unlike.rivals.score);
+        candidate.refined_score = refined_score(all, candidate.on_vertices, tuning.unlike.rivals.score);
     });
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
         return x.refined_score > y.refined_score;

@@ -51,19 +51,25 @@ Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
     return directions;
 }
 
-// How far from the one end of the pair the map takes the sample that is nearest to the other end.
+// How far from the one end of the pair the map takes what is within the radius of the other end, by the
+// median of samples, or the nearest one where there are none.
 double image_distance(const PreparedShape& from, const VectorF& near_end, const PreparedShape& to,
-                      const VectorF& far_end, const std::vector<Index>& map) {
-    std::size_t nearest = 0;
-    for (std::size_t s = 1; s < map.size(); ++s)
-        if (near_end[from.samples[s]] < near_end[from.samples[nearest]]) nearest = s;
-    return far_end[to.samples[static_cast<std::size_t>(map[nearest])]];
+                      const VectorF& far_end, const std::vector<Index>& map, double radius) {
+    float reach = unreachable;
+    for (std::size_t s = 0; s < map.size(); ++s) reach = std::min(reach, near_end[from.samples[s]]);
+    reach = std::max(reach, static_cast<float>(radius));
+    std::vector<float> distances;
+    for (std::size_t s = 0; s < map.size(); ++s)
+        if (near_end[from.samples[s]] <= reach) distances.push_back(far_end[to.samples[at(map[s])]]);
+    const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), median, distances.end());
+    return *median;
 }
 
 double image_distance(const PreparedShape& a, const PreparedShape& b, const PriorPair& pair,
-                      const PairedMaps& maps) {
-    return (image_distance(a, pair.from_a, b, pair.from_b, maps.b_from_a) +
-            image_distance(b, pair.from_b, a, pair.from_a, maps.a_from_b)) /
+                      const PairedMaps& maps, double radius) {
+    return (image_distance(a, pair.from_a, b, pair.from_b, maps.b_from_a, radius) +
+            image_distance(b, pair.from_b, a, pair.from_a, maps.a_from_b, radius)) /
            2;
 }
 
@@ -116,10 +122,11 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
     const PriorTuning& tuning = priors.tuning;
     double result = 0;
     for (const PriorPair& pair : priors.landmarks)
-        result += tuning.weight * std::max(0.0, image_distance(a, b, pair, maps) - tuning.slack);
-    for (const PriorPair& pair : priors.excluded)
         result +=
-            tuning.excluded_weight * std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps));
+            tuning.weight * std::max(0.0, image_distance(a, b, pair, maps, tuning.radius) - tuning.slack);
+    for (const PriorPair& pair : priors.excluded)
+        result += tuning.excluded_weight *
+                  std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps, 0));
     if (priors.directions.cols() > 0)
         result += tuning.direction_weight *
                   missing_agreement(a, b, priors.directions, tuning.enough_correlation, maps.b_from_a);

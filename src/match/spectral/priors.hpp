@@ -44,9 +44,9 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
                    const PriorTuning& tuning);
 
-/// To be taken off the score of maps between the first samples: distances between landmarks and their images,
-/// excluded pairs that are near each other under the map, coordinates along common directions that are not
-/// even roughly in the same order.
+/// To be taken off the score of maps between the first samples: distances between landmarks and the images of
+/// what surrounds them, excluded pairs that are near each other under the map, coordinates along common
+/// directions that are not even roughly in the same order.
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
                     const PairedMaps& maps);
 

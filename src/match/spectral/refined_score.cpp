@@ -19,11 +19,11 @@ double damage(const SampledPair& all, const PairedMaps& maps, double most) {
 
 }  // namespace
 
-double refined_score(const SampledPair& all, const Candidate& candidate, const RefinedScoreTuning& tuning) {
-    const PairedMaps& maps = candidate.on_vertices;
+double refined_score(const SampledPair& all, const PairedMaps& maps, const RefinedScoreTuning& tuning) {
     return mean_relief(relief_correlations(all.a, all.b, maps)) +
            tuning.normal_weight * agreement_of_normals(all.a, all.b, maps, tuning.normal_radius) -
-           tuning.damage_weight * damage(all, maps, tuning.most_damage) - candidate.disagreement;
+           tuning.damage_weight * damage(all, maps, tuning.most_damage) -
+           (all.priors.empty() ? 0 : disagreement(all.a, all.b, all.priors, between_samples(all, maps)));
 }
 
 }  // namespace counterpart::spectral_match

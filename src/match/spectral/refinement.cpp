@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 namespace counterpart::spectral_match {
@@ -36,7 +37,7 @@ MatrixF intrinsic_features(const PreparedShape& shape, const RefinementTuning& t
 }
 
 // How near each vertex is to each landmark: what surrounds one is to go to what surrounds its image.
-MatrixF nearness(const PreparedShape& shape, const std::vector<PriorPair>& landmarks,
+MatrixF nearness(const PreparedShape& shape, std::span<const PriorPair> landmarks,
                  VectorF PriorPair::*distances, const RefinementTuning& tuning) {
     MatrixF all(shape.mesh.n_vertices(), static_cast<Eigen::Index>(landmarks.size()));
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
@@ -163,7 +164,9 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                   const ProgressRange& progress) {
     const PreparedShape &a = all.a, &b = all.b;
     const VertexPairs pins = all.priors.pins();
-    const std::vector<PriorPair>& landmarks = all.priors.landmarks;
+    const std::span<const PriorPair> landmarks = start.near_landmarks
+                                                     ? std::span<const PriorPair>(all.priors.landmarks)
+                                                     : std::span<const PriorPair>();
     const MatrixF features_a = side_by_side(
                       {intrinsic_features(a, tuning), nearness(a, landmarks, &PriorPair::from_a, tuning)}),
                   features_b = side_by_side(

@@ -39,7 +39,7 @@ class Race {
         for (std::size_t i = 0; i < rivals.size(); ++i) {
             Candidate& candidate = *rivals[i].candidate;
             candidate.on_vertices = refine(all_, candidate, refinement_, part(0).step(i, rivals.size()));
-            candidate.refined_score = refined_score(all_, candidate, tuning_.score);
+            candidate.refined_score = refined_score(all_, candidate.on_vertices, tuning_.score);
         }
         best_first(rivals);
         for (std::size_t round = 0; round < tuning_.n_repeated.size(); ++round) {
@@ -66,7 +66,7 @@ class Race {
         Candidate next = *rival.candidate;
         next.maps = between_samples(all_, next.on_vertices);
         next.on_vertices = refine(all_, next, refinement_, progress);
-        next.refined_score = refined_score(all_, next, tuning_.score);
+        next.refined_score = refined_score(all_, next.on_vertices, tuning_.score);
         rival.is_settled = next.refined_score <= rival.score();
         if (rival.is_settled) return;
         rival.candidate->on_vertices = std::move(next.on_vertices);

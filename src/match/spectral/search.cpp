@@ -8,8 +8,20 @@
 #include "match/spectral/unlike_shapes.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace counterpart::spectral_match {
+namespace {
+
+// The best map where no landmark leads.
+Candidate found_without_landmarks(const PreparedShape& a, const PreparedShape& b, Priors priors,
+                                  const SpectralTuning& tuning, const ProgressRange& progress,
+                                  Stopwatch& watch) {
+    priors.landmarks.clear();
+    return search(a, b, priors, 0, tuning, progress, watch).finalists.front();
+}
+
+}  // namespace
 
 Search search(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
               std::size_t n_alternatives, const SpectralTuning& tuning, const ProgressRange& progress,
@@ -39,7 +51,11 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
     if (!finalists.empty()) {
         choose_best(finalists, found.all, choice, progress.part(0.6, 1));
     } else {
-        finalists = search_unlike(std::move(candidates), found.all, n_asked, tuning, progress.part(0.4, 1));
+        std::optional<Candidate> unguided;
+        if (!priors.landmarks.empty())
+            unguided = found_without_landmarks(a, b, priors, tuning, progress.part(0.4, 0.7), watch);
+        finalists = search_unlike(std::move(candidates), unguided, found.all, n_asked, tuning,
+                                  progress.part(unguided ? 0.7 : 0.4, 1));
         found.rivals.n_refined = 1;
         found.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
     }

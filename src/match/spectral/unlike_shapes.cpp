@@ -5,13 +5,37 @@
 #include "match/spectral/coarse_shape.hpp"
 #include "match/spectral/final_choice.hpp"
 #include "match/spectral/lift.hpp"
+#include "match/spectral/refined_score.hpp"
+#include "match/spectral/refinement.hpp"
 #include "match/spectral/rivals.hpp"
 
 #include <utility>
 
 namespace counterpart::spectral_match {
+namespace {
 
-std::vector<Candidate> search_unlike(std::vector<Candidate> candidates, const SampledPair& all,
+// What surrounds a landmark is as far from it on the one body as on the other only if they are alike: led by
+// that, maps of unlike ones can lose more elsewhere than they gain. So the winner and the map that is found
+// without landmarks are bent to these once more with nothing but the pins to follow, and equation 7 tells.
+void add_those_not_led(std::vector<Candidate>& finalists, const Candidate& unguided,
+                       const SampledPair& coarse, const RivalTuning& tuning,
+                       const RefinementTuning& refinement, const ProgressRange& progress) {
+    const Candidate winner = finalists.front();
+    for (Candidate other : {winner, unguided}) {
+        other.near_landmarks = false;
+        other.on_vertices = refine(coarse, other, refinement, progress);
+        other.maps = between_samples(coarse, other.on_vertices);
+        other.refined_score = refined_score(coarse, other.on_vertices, tuning.score);
+        other.scores.total = winner.scores.total + (other.refined_score - winner.refined_score);
+        finalists.push_back(std::move(other));
+    }
+    keep_distinct(finalists, MapDistance(coarse), tuning.distinct, finalists.size());
+}
+
+}  // namespace
+
+std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
+                                     const std::optional<Candidate>& unguided, const SampledPair& all,
                                      std::size_t count, const SpectralTuning& tuning,
                                      const ProgressRange& progress) {
     const CoarseShape a = coarsened(all.a, tuning.unlike.n_coarse, tuning.preparation),
@@ -23,7 +47,9 @@ std::vector<Candidate> search_unlike(std::vector<Candidate> candidates, const Sa
     std::vector<Candidate> finalists =
         choose_unlike(std::move(candidates), coarse, count, tuning, progress.part(0, 0.4));
     if (finalists.empty()) return {};
-    refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, 0.95));
+    refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, unguided ? 0.9 : 0.95));
+    if (unguided)
+        add_those_not_led(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.9, 0.95));
     for (Candidate& finalist : finalists) {
         finalist.maps = between_samples(coarse, finalist.on_vertices);
         finalist.on_vertices = lift(a.shape, b.shape, finalist.on_vertices, tuning.refinement, progress);

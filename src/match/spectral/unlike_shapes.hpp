@@ -4,13 +4,20 @@
 
 #include "match/spectral/candidate.hpp"
 
+#include <optional>
+#include <vector>
+
 namespace counterpart::spectral_match {
 
 /// Stage 4 of unlike shapes, instead of stage 3 as well. Which of their maps is right shows only once they
 /// are refined, and many need it: all but the last refinement are on coarse copies of both shapes. First
 /// briefly (choose_unlike), then rivals in full and again (refine_rivals). At least `count` maps, best first,
 /// if there are as many; `on_vertices` are of the shapes themselves.
-std::vector<Candidate> search_unlike(std::vector<Candidate> candidates, const SampledPair& all,
+///
+/// `unguided`, where there are landmarks, is the map that is found without them: the winner may be that one,
+/// or its own, bent to the landmarks with nothing but the pins to follow.
+std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
+                                     const std::optional<Candidate>& unguided, const SampledPair& all,
                                      std::size_t count, const SpectralTuning& tuning,
                                      const ProgressRange& progress = {});
 

@@ -3,6 +3,7 @@
 #include "match/spectral/priors.hpp"
 #include "support/spikes.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -47,6 +48,24 @@ TEST(SpectralPriors, EachDirectionHasToAgree) {
     EXPECT_NEAR(disagreement(upright, mirrored_in_x, priors, maps),
                 priors.tuning.direction_weight * (1 + priors.tuning.enough_correlation) / 3, 1e-9)
         << "the other two do not make up for it";
+}
+
+TEST(SpectralPriors, WhatSurroundsALandmarkMustAgreeNotTheLandmarkAlone) {
+    const PreparedShape shape = spikes_turned_by(0);
+    const Index tip = shape.samples.front();
+    const Priors priors = make_priors(shape, shape, VertexPairs{{tip, tip}}, {});
+    std::vector<Index> map(shape.samples.size());
+    std::iota(map.begin(), map.end(), 0);
+    EXPECT_EQ(disagreement(shape, shape, priors, {map, map}), 0);
+    const VectorF& distances = priors.landmarks[0].from_a;
+    const auto farthest = static_cast<Index>(std::max_element(map.begin(), map.end(),
+                                                              [&](Index s, Index t) {
+                                                                  return distances[shape.samples[at(s)]] <
+                                                                         distances[shape.samples[at(t)]];
+                                                              }) -
+                                             map.begin());
+    for (std::size_t s = 1; s < map.size(); ++s) map[s] = farthest;
+    EXPECT_GT(disagreement(shape, shape, priors, {map, map}), 1) << "it stays, and all around it goes";
 }
 
 }  // namespace

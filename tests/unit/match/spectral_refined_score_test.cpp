@@ -42,8 +42,9 @@ struct SpectralRefinedScore : testing::Test {
 
 TEST_F(SpectralRefinedScore, IsLargestForTheSameShapeHoweverItIsTurned) {
     const RefinedScoreTuning tuning;
-    EXPECT_NEAR(refined_score(all, right, tuning), 1 + tuning.normal_weight, 1e-3);
-    EXPECT_LT(refined_score(all, wrong, tuning), refined_score(all, right, tuning) - 0.2);
+    EXPECT_NEAR(refined_score(all, right.on_vertices, tuning), 1 + tuning.normal_weight, 1e-3);
+    EXPECT_LT(refined_score(all, wrong.on_vertices, tuning),
+              refined_score(all, right.on_vertices, tuning) - 0.2);
 }
 
 TEST_F(SpectralRefinedScore, EachPartTellsByItself) {
@@ -54,23 +55,33 @@ TEST_F(SpectralRefinedScore, EachPartTellsByItself) {
     RefinedScoreTuning tuning;
     Candidate torn = right;
     torn.on_vertices.b_from_a.front() = torn.on_vertices.b_from_a.back();
-    const double before = refined_score(all, torn, tuning);
+    const double before = refined_score(all, torn.on_vertices, tuning);
     tuning.damage_weight *= 2;
-    EXPECT_LT(refined_score(all, torn, tuning), before - 1e-4);
-    EXPECT_EQ(refined_score(all, right, tuning), refined_score(all, right, {})) << "no damage";
+    EXPECT_LT(refined_score(all, torn.on_vertices, tuning), before - 1e-4);
+    EXPECT_EQ(refined_score(all, right.on_vertices, tuning), refined_score(all, right.on_vertices, {}))
+        << "no damage";
 }
 
 TEST_F(SpectralRefinedScore, WhatContradictsAPersonIsTakenOff) {
-    const double before = refined_score(all, right, {});
-    right.disagreement = 0.25;
-    EXPECT_DOUBLE_EQ(refined_score(all, right, {}), before - 0.25);
+    Eigen::Index tip = 0;
+    a.mesh.vertices.col(1).maxCoeff(&tip);
+    const Priors priors =
+        make_priors(a, b, {}, VertexPairs{{static_cast<Index>(tip), static_cast<Index>(tip)}});
+    const SampledPair known{a, b, all_samples, CueTuning{}.radius, priors};
+    const double contradiction = disagreement(a, b, priors, between_samples(known, right.on_vertices));
+    EXPECT_GT(contradiction, 1);
+    EXPECT_NEAR(refined_score(known, right.on_vertices, {}),
+                refined_score(all, right.on_vertices, {}) - contradiction, 1e-12);
+    EXPECT_EQ(refined_score(known, wrong.on_vertices, {}), refined_score(all, wrong.on_vertices, {}))
+        << "takes the tip elsewhere";
 }
 
 TEST_F(SpectralRefinedScore, IsTheSameWithTheShapesExchanged) {
     const SampledPair reversed{b, a, all_samples, CueTuning{}.radius};
     Candidate back;
     back.on_vertices = {wrong.on_vertices.a_from_b, wrong.on_vertices.b_from_a};
-    EXPECT_NEAR(refined_score(reversed, back, {}), refined_score(all, wrong, {}), 1e-9);
+    EXPECT_NEAR(refined_score(reversed, back.on_vertices, {}), refined_score(all, wrong.on_vertices, {}),
+                1e-9);
 }
 
 }  // namespace

@@ -221,6 +221,8 @@ TEST(SpectralRefinement, WhatSurroundsALandmarkFollowsIt) {
         return sum;
     };
     EXPECT_GT(shift(200), shift(0) + 0.1);
+    start.near_landmarks = false;
+    EXPECT_EQ(shift(200), shift(0));
 }
 
 }  // namespace

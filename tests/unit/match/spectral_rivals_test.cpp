@@ -155,9 +155,13 @@ TEST_F(SpectralRivals, ThoseThatWereLeftOutScoreNoMoreThanTheWinner) {
 }
 
 TEST_F(SpectralRivals, WhatAPersonHasSaidCountsInFull) {
-    right.disagreement = 10;
+    Eigen::Index tip = 0;
+    shape.mesh.vertices.col(1).maxCoeff(&tip);
+    const Priors priors =
+        make_priors(shape, shape, {}, VertexPairs{{static_cast<Index>(tip), static_cast<Index>(tip)}});
+    const SampledPair known(shape, shape, 300, CueTuning{}.radius, priors);
     std::vector<Candidate> finalists{wrong, right};
-    refine_rivals(finalists, all, {}, refinement);
+    refine_rivals(finalists, known, {}, refinement);
     EXPECT_GT(error(finalists[0], shape), 0.05) << "the identity was excluded";
 }
 

@@ -46,7 +46,7 @@ struct SpectralUnlikeShapes : testing::Test {
 
 TEST_F(SpectralUnlikeShapes, TheRightMapComesFirstOnTheShapesThemselves) {
     const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius);
-    const std::vector<Candidate> found = search_unlike(right_and_wrong(pair), pair, 2, tuning);
+    const std::vector<Candidate> found = search_unlike(right_and_wrong(pair), {}, pair, 2, tuning);
     ASSERT_EQ(found.size(), 2U);
     for (const Candidate& map : found) {
         EXPECT_EQ(map.on_vertices.b_from_a.size(), at(shape.mesh.n_vertices()));
@@ -62,7 +62,7 @@ TEST_F(SpectralUnlikeShapes, TheRightMapComesFirstOnTheShapesThemselves) {
 TEST_F(SpectralUnlikeShapes, SmallOnesAreSearchedAsTheyAre) {
     const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius);
     tuning.unlike.n_coarse = shape.mesh.n_vertices();
-    EXPECT_LT(error(search_unlike(right_and_wrong(pair), pair, 1, tuning).front().on_vertices), 0.02);
+    EXPECT_LT(error(search_unlike(right_and_wrong(pair), {}, pair, 1, tuning).front().on_vertices), 0.02);
 }
 
 TEST_F(SpectralUnlikeShapes, WhatWasSaidCounts) {
@@ -74,14 +74,31 @@ TEST_F(SpectralUnlikeShapes, WhatWasSaidCounts) {
         shape, shape, VertexPairs{{static_cast<Index>(top), static_cast<Index>(bottom)}}, VertexPairs{});
     priors.tuning.weight = 10;
     const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius, priors);
-    const std::vector<Candidate> found = search_unlike(right_and_wrong(pair), pair, 2, tuning);
+    const std::vector<Candidate> found = search_unlike(right_and_wrong(pair), {}, pair, 2, tuning);
     EXPECT_GT(error(found.front().on_vertices), 0.05);
-    EXPECT_GT(found.back().disagreement, found.front().disagreement);
+}
+
+TEST_F(SpectralUnlikeShapes, WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAgreesWithThem) {
+    Eigen::Index top = 0, bottom = 0;
+    shape.mesh.vertices.col(1).maxCoeff(&top);
+    shape.mesh.vertices.col(1).minCoeff(&bottom);
+    for (const bool is_true : {true, false}) {
+        Priors priors = make_priors(
+            shape, shape, VertexPairs{{static_cast<Index>(top), static_cast<Index>(is_true ? top : bottom)}},
+            VertexPairs{});
+        priors.tuning.weight = 10;
+        const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius, priors);
+        const std::vector<Candidate> both = right_and_wrong(pair);
+        std::vector<Candidate> unguided =
+            search_unlike({both[1]}, {}, {shape, shape, all_samples, 0}, 1, tuning);
+        const Candidate found = search_unlike({both[0]}, unguided.front(), pair, 1, tuning).front();
+        EXPECT_EQ(error(found.on_vertices) < 0.02, is_true) << "the only map that was led is wrong";
+    }
 }
 
 TEST_F(SpectralUnlikeShapes, OfNothingComesNothing) {
     const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius);
-    EXPECT_TRUE(search_unlike({}, pair, 1, tuning).empty());
+    EXPECT_TRUE(search_unlike({}, {}, pair, 1, tuning).empty());
 }
 
 }  // namespace
