@@ -5,6 +5,7 @@
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace counterpart::test {
 
@@ -16,6 +17,26 @@ TriangleMesh three_spikes(int n_subdivisions) {
                                 1.6 * std::exp(-10 * (1 + p[1]));
     }
     return mesh;
+}
+
+TriangleMesh horseshoe(int n_subdivisions) {
+    TriangleMesh mesh = make_icosphere(n_subdivisions);
+    for (Index v = 0; v < mesh.n_vertices(); ++v) {
+        auto row = mesh.vertices.row(v);
+        const double angle = (std::numbers::pi - 0.02) * row[0], radius = 1 + 0.25 * row[1];
+        row = Eigen::RowVector3d(radius * std::cos(angle), radius * std::sin(angle), 0.25 * row[2]);
+    }
+    return mesh;
+}
+
+std::pair<Index, Index> ends_of_horseshoe(const TriangleMesh& mesh) {
+    // Those of the icosphere's vertices that are farthest along x, which keep their numbers.
+    const TriangleMesh before =
+        make_icosphere(static_cast<int>(std::lround(std::log2((mesh.n_vertices() - 2) / 10.0) / 2)));
+    Eigen::Index first = 0, last = 0;
+    before.vertices.col(0).maxCoeff(&first);
+    before.vertices.col(0).minCoeff(&last);
+    return {static_cast<Index>(first), static_cast<Index>(last)};
 }
 
 }  // namespace counterpart::test

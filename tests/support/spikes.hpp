@@ -6,9 +6,17 @@
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <utility>
+
 namespace counterpart::test {
 
 /// An icosphere of radius 1 with spikes of length 2 along +x, 1.2 along +y and 1.6 along -y.
 TriangleMesh three_spikes(int n_subdivisions = 4);
+
+/// A tube of radius up to 0.25 bent around the z axis at distance 1, almost to a ring: its two ends, at -x,
+/// face each other 0.04 apart.
+TriangleMesh horseshoe(int n_subdivisions = 4);
+/// The vertices at its ends; it may be moved and scaled.
+std::pair<Index, Index> ends_of_horseshoe(const TriangleMesh& mesh);
 
 }  // namespace counterpart::test

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/islands.hpp"
 
+#include "match/spectral/surface_distance.hpp"
+
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
@@ -85,9 +87,11 @@ Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::
     const Adjacency adjacency(a.mesh);
     const Growth growth(a, b, b_from_a);
     const std::vector<double> usual = growth.usual(adjacency, tuning.most_growth);
+    const SurfaceDistance along_b(b);
     const auto is_torn = [&](Index v, Index w) {
         const double expected = (usual[at(v)] + usual[at(w)]) / 2 * growth.before(v, w);
-        return growth.after(v, w) > expected + tuning.gap;
+        return growth.after(v, w) > expected + tuning.gap ||
+               along_b(b_from_a[at(v)], b_from_a[at(w)]) > expected + tuning.jump;
     };
     const Parts parts = parts_between_tears(adjacency, a.basis.mass, is_torn);
     const double most = tuning.max_share * a.basis.mass.sum();

@@ -16,9 +16,10 @@ struct Islands {
 };
 
 /// Patches of A of at most `max_share` of its area that a map separates from all that they are connected to
-/// on A: every edge out of them is torn, that is its ends go farther apart by `gap` than the edges around it
-/// suggest (by their median factor: a limb that goes to a longer one stretches all along). Two ears that
-/// are exchanged are such patches; each fits where it is, and so nothing near it looks wrong. O(V).
+/// on A: every edge out of them is torn, that is its ends go farther apart by `gap`, or by `jump` along the
+/// surface, than the edges around it suggest (by their median factor: a limb that goes to a longer one
+/// stretches all along). Two ears that are exchanged are such patches; each fits where it is, and so nothing
+/// near it looks wrong. O(V).
 Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
                      const IslandTuning& tuning);
 

@@ -4,10 +4,12 @@
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/islands.hpp"
 #include "match/spectral/refinement.hpp"
+#include "support/spikes.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -117,8 +119,7 @@ TEST_F(SpectralIslands, AreNotThere) {
 // A limb that goes to a longer one, here from x = 0.05 on to one 3.6 times as long: its edges all go farther
 // apart by more than the gap, and nothing is torn.
 TEST_F(SpectralIslands, AreNotWhatStretchesAllAlong) {
-    PreparedShape longer;
-    longer.mesh = shape.mesh;
+    PreparedShape longer = shape;
     for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
         if (x(v, 0) > 0.05) longer.mesh.vertices(v, 0) = 0.05 + 3.6 * (x(v, 0) - 0.05);
     EXPECT_TRUE(find_islands(shape, longer, identity(), {.gap = 0.02}).empty);
@@ -132,6 +133,30 @@ TEST_F(SpectralIslands, AreNotWhatStretchesAllAlong) {
     const Islands islands = find_islands(shape, longer, torn, {});
     for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
         EXPECT_EQ(islands.inside[at(v)] != 0, (x.row(v) - x.row(tip)).norm() < 0.1) << v;
+}
+
+// What jumps from one limb to another one beside it is as near as if it had been stretched, but not along the
+// surface.
+TEST_F(SpectralIslands, JumpToALimbThatAlmostTouches) {
+    const PreparedShape ring = prepare(test::horseshoe(), {.n_functions = 20, .n_samples = 200});
+    const PointsView y{ring.mesh.vertices};
+    const Index tip = test::ends_of_horseshoe(ring.mesh).first;
+    std::vector<Index> map(at(ring.mesh.n_vertices()));
+    std::iota(map.begin(), map.end(), 0);
+    const auto is_end = [&](Index v) { return y(v, 1) > 0 && (y.row(v) - y.row(tip)).norm() < 0.05; };
+    const auto facing = [&](Index v) {
+        Eigen::Index result = 0;
+        const Eigen::RowVector3d mirrored = y.row(v).cwiseProduct(Eigen::RowVector3d(1, -1, 1));
+        (y.rowwise() - mirrored).rowwise().squaredNorm().minCoeff(&result);
+        return static_cast<Index>(result);
+    };
+    for (Index v = 0; v < ring.mesh.n_vertices(); ++v)
+        if (is_end(v)) map[at(v)] = facing(v);
+    IslandTuning tuning{.gap = 0.12};
+    const Islands islands = find_islands(ring, ring, map, tuning);
+    for (Index v = 0; v < ring.mesh.n_vertices(); ++v) EXPECT_EQ(islands.inside[at(v)] != 0, is_end(v)) << v;
+    tuning.jump = std::numeric_limits<double>::infinity();
+    EXPECT_TRUE(find_islands(ring, ring, map, tuning).empty) << "or this proves nothing";
 }
 
 TEST_F(SpectralIslands, AreCarriedByWhatIsAroundThem) {
