@@ -12,13 +12,13 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;      // empty before stage 4
-    Cues cues;                   // of stage 4
-    double refined_score = 0;    // equation 7, of the last refinement
-    bool was_flipped = false;    // its sign flips have been tried
-    bool was_tried = false;      // refined briefly in stage 4: only such can win
-    bool both_pull = false;      // in refinement the other map pulls at the surface as well
-    bool near_landmarks = true;  // in refinement what surrounds landmarks follows them
+    PairedMaps on_vertices;         // empty before stage 4
+    Cues cues;                      // of stage 4
+    double refined_score = 0;       // equation 7, of the last refinement
+    bool was_flipped = false;       // its sign flips have been tried
+    bool was_tried = false;         // refined briefly in stage 4: only such can win
+    bool both_pull = false;         // in refinement the other map pulls at the surface as well
+    bool follows_landmarks = true;  // in refinement what surrounds landmarks follows them
 };
 
 /// Between the samples nearest to vertices and to their images.

@@ -87,7 +87,7 @@ Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::
     const Adjacency adjacency(a.mesh);
     const Growth growth(a, b, b_from_a);
     const std::vector<double> usual = growth.usual(adjacency, tuning.most_growth);
-    const SurfaceDistance along_b(b);
+    const SurfaceDistanceBound along_b(b);
     const auto is_torn = [&](Index v, Index w) {
         const double expected = (usual[at(v)] + usual[at(w)]) / 2 * growth.before(v, w);
         return growth.after(v, w) > expected + tuning.gap ||

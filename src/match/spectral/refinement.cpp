@@ -164,7 +164,7 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
                   const ProgressRange& progress) {
     const PreparedShape &a = all.a, &b = all.b;
     const VertexPairs pins = all.priors.pins();
-    const std::span<const PriorPair> landmarks = start.near_landmarks
+    const std::span<const PriorPair> landmarks = start.follows_landmarks
                                                      ? std::span<const PriorPair>(all.priors.landmarks)
                                                      : std::span<const PriorPair>();
     const MatrixF features_a = side_by_side(

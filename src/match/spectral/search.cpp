@@ -13,12 +13,17 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// The best map where no landmark leads.
-Candidate found_without_landmarks(const PreparedShape& a, const PreparedShape& b, Priors priors,
-                                  const SpectralTuning& tuning, const ProgressRange& progress,
-                                  Stopwatch& watch) {
+// The best map of unlike shapes that is found without landmarks.
+Candidate find_unguided(const PreparedShape& a, const PreparedShape& b, Priors priors,
+                        const SpectralTuning& tuning, const ProgressRange& progress) {
     priors.landmarks.clear();
-    return search(a, b, priors, 0, tuning, progress, watch).finalists.front();
+    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
+    const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
+    return search_unlike(
+               vary_candidates(coarse, start_candidates(coarse, tuning.candidates, progress.part(0, 0.1)),
+                               tuning.candidates, progress.part(0.1, 0.3)),
+               {}, all, 1, tuning, progress.part(0.3, 1))
+        .front();
 }
 
 }  // namespace
@@ -52,8 +57,9 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
         choose_best(finalists, found.all, choice, progress.part(0.6, 1));
     } else {
         std::optional<Candidate> unguided;
-        if (!priors.landmarks.empty())
-            unguided = found_without_landmarks(a, b, priors, tuning, progress.part(0.4, 0.7), watch);
+        const std::size_t n_pins = priors.pins().size();
+        if (n_pins > 0 && n_pins <= tuning.unlike.max_unguided_pins)
+            unguided = find_unguided(a, b, priors, tuning, progress.part(0.4, 0.7));
         finalists = search_unlike(std::move(candidates), unguided, found.all, n_asked, tuning,
                                   progress.part(unguided ? 0.7 : 0.4, 1));
         found.rivals.n_refined = 1;

@@ -8,18 +8,20 @@
 
 namespace counterpart::spectral_match {
 
-/// Distances along a surface, from below: not less than straight through space, nor than what the distances
-/// from any of `n_samples` samples differ by (triangle inequality; Goldberg and Harrelson 2005). Tells two
-/// legs that touch from one. O(samples) each.
-class SurfaceDistance {
+/// A lower bound of the distance between two vertices along edges: the straight distance, or the largest
+/// difference of their distances from up to 32 samples that reach both (triangle inequality; Goldberg and
+/// Harrelson 2005). Large between two legs side by side. The shape needs at least one row of distances and
+/// must outlive this. O(samples) each.
+class SurfaceDistanceBound {
   public:
-    explicit SurfaceDistance(const PreparedShape& shape)
+    explicit SurfaceDistanceBound(const PreparedShape& shape)
         : positions_(shape.mesh.vertices),
           from_samples_(shape.sample_distances.topRows(std::min(n_samples, shape.sample_distances.rows()))
                             .transpose()) {}
 
     double operator()(Index v, Index w) const {
-        const double along = (from_samples_.row(v) - from_samples_.row(w)).cwiseAbs().maxCoeff();
+        const auto x = from_samples_.row(v).array(), y = from_samples_.row(w).array();
+        const double along = (x.max(y) < unreachable).select((x - y).abs(), 0.0F).maxCoeff();
         return std::max(along, (positions_.row(v) - positions_.row(w)).norm());
     }
 

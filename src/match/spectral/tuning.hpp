@@ -63,14 +63,16 @@ struct Distinctness {
 
 /// What a person says about the map, against the other scores, which are about 1.
 struct PriorTuning {
-    /// Of a distance between a landmark and its image beyond the slack. With slack 0.1, of weights 0.5, 1, 3
-    /// and 10 the two large ones made maps of unlike shapes worse, where the right map stretches the
-    /// landmark's limb; with slack 0.2, 1 and 2 do the same.
+    /// Of the distance beyond the slack between one end of a landmark and where the surroundings of the other
+    /// end go. By the nearest sample alone, with slack 0.1, of weights 0.5, 1, 3 and 10 the two large ones
+    /// made maps of unlike shapes worse, where the right map stretches the landmark's limb; with slack 0.2, 1
+    /// and 2 do the same.
     double weight = 2;
     /// Which coarse maps cannot help. One landmark takes nine wrong pairs of unlike shapes from 7.9 to 8.0
-    /// with 0.1 (two of them are worse by 3 and 4), to 7.1 with 0.2.
+    /// with 0.1 (two of them are worse by 3 and 4), to 7.1 with 0.2 (nearest sample). A right map takes the
+    /// surroundings about 0.1 away.
     double slack = 0.2;
-    /// Of the samples around a landmark whose images are looked at, by their median. By the nearest sample
+    /// Of the samples around a landmark, of whose images' distances the median counts. By the nearest sample
     /// alone, which a pin holds while all around it stays elsewhere, 17 wrong pairs have 7.0 with one
     /// landmark, with this 6.6.
     double radius = 0.15;
@@ -279,6 +281,9 @@ struct RivalTuning {
 
 /// Stage 4 of unlike shapes.
 struct UnlikeTuning {
+    /// With more pinned landmarks the pair is not searched without them as well, which takes as long again:
+    /// together they say where everything is. One was tried.
+    std::size_t max_unguided_pins = 8;
     /// Vertices of the coarse copies. With 6 rivals and repeats {2, 1}, 700, 1000, 1500 and all 5000
     /// give 5.5, 4.3, 4.1, 4.5 (12 pairs with a hippo), 2.3, 2.2, 2.2, 2.3 (12 of other animals), in 6.8,
     /// 8, 10.5 and 26 s of a processor. With the rivals below, 12 gorillas have 5.3 with 1000 and 2000; but

@@ -14,19 +14,22 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// What surrounds a landmark is as far from it on the one body as on the other only if they are alike: led by
-// that, maps of unlike ones can lose more elsewhere than they gain. So the winner and the map that is found
-// without landmarks are bent to these once more with nothing but the pins to follow, and equation 7 tells.
-void add_those_not_led(std::vector<Candidate>& finalists, const Candidate& unguided,
-                       const SampledPair& coarse, const RivalTuning& tuning,
-                       const RefinementTuning& refinement, const ProgressRange& progress) {
-    const Candidate winner = finalists.front();
-    for (Candidate other : {winner, unguided}) {
-        other.near_landmarks = false;
-        other.on_vertices = refine(coarse, other, refinement, progress);
+// What surrounds a landmark is as far from it on the one body as on the other only if they are alike: maps of
+// unlike ones that follow it can lose more elsewhere than they gain. So the winner, and the map that is found
+// without landmarks, are refined once more with nothing but the pins to follow, and equation 7 tells.
+void add_unguided(std::vector<Candidate>& finalists, const Candidate& unguided, const SampledPair& coarse,
+                  const RivalTuning& tuning, const RefinementTuning& refinement,
+                  const ProgressRange& progress) {
+    // A single rival still has the map that it was compared by before.
+    finalists.front().maps = between_samples(coarse, finalists.front().on_vertices);
+    const std::vector<Candidate> starts{finalists.front(), unguided};
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        Candidate other = starts[i];
+        other.follows_landmarks = false;
+        other.on_vertices = refine(coarse, other, refinement, progress.step(i, starts.size()));
         other.maps = between_samples(coarse, other.on_vertices);
         other.refined_score = refined_score(coarse, other.on_vertices, tuning.score);
-        other.scores.total = winner.scores.total + (other.refined_score - winner.refined_score);
+        other.scores.total = starts[0].scores.total + (other.refined_score - starts[0].refined_score);
         finalists.push_back(std::move(other));
     }
     keep_distinct(finalists, MapDistance(coarse), tuning.distinct, finalists.size());
@@ -49,7 +52,7 @@ std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
     if (finalists.empty()) return {};
     refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, unguided ? 0.9 : 0.95));
     if (unguided)
-        add_those_not_led(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.9, 0.95));
+        add_unguided(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.9, 0.95));
     for (Candidate& finalist : finalists) {
         finalist.maps = between_samples(coarse, finalist.on_vertices);
         finalist.on_vertices = lift(a.shape, b.shape, finalist.on_vertices, tuning.refinement, progress);

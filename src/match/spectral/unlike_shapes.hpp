@@ -14,8 +14,8 @@ namespace counterpart::spectral_match {
 /// briefly (choose_unlike), then rivals in full and again (refine_rivals). At least `count` maps, best first,
 /// if there are as many; `on_vertices` are of the shapes themselves.
 ///
-/// `unguided`, where there are landmarks, is the map that is found without them: the winner may be that one,
-/// or its own, bent to the landmarks with nothing but the pins to follow.
+/// `unguided`, where there are pinned landmarks, is the map that is found without them. The best is then
+/// taken of the winner, the winner refined with nothing but the pins to follow, and `unguided` refined so.
 std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
                                      const std::optional<Candidate>& unguided, const SampledPair& all,
                                      std::size_t count, const SpectralTuning& tuning,

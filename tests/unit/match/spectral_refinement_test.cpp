@@ -221,7 +221,7 @@ TEST(SpectralRefinement, WhatSurroundsALandmarkFollowsIt) {
         return sum;
     };
     EXPECT_GT(shift(200), shift(0) + 0.1);
-    start.near_landmarks = false;
+    start.follows_landmarks = false;
     EXPECT_EQ(shift(200), shift(0));
 }
 

@@ -4,6 +4,7 @@
 
 #include <counterpart/mesh/shapes.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -52,6 +53,7 @@ TEST_F(SpectralSearch, OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals) {
 
 TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefinedOnceMore) {
     const PreparedShape b = spiky(0.6);
+    tuning.unlike.n_coarse = 500;
     tuning.unlike.rivals.n_refined = 2;
     tuning.unlike.rivals.n_repeated = {1};
     tuning.unlike.rivals.distinct = {.mean = 0, .moved_share = 0};
@@ -62,6 +64,27 @@ TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefine
         EXPECT_LE(found.finalists[i].scores.total, found.score());
         EXPECT_EQ(found.finalists[i].on_vertices.b_from_a.size(), at(a.mesh.n_vertices()));
         EXPECT_EQ(found.finalists[i].on_vertices.a_from_b.size(), at(b.mesh.n_vertices()));
+    }
+}
+
+TEST_F(SpectralSearch, OfUnlikeShapesAPinnedLandmarkIsFollowedOrHeldAlone) {
+    const PreparedShape b = spiky(0.6);
+    Eigen::Index tip = 0;
+    a.mesh.vertices.col(1).maxCoeff(&tip);  // the vertices of both have the same numbers
+    const auto v = static_cast<Index>(tip);
+    Priors priors = make_priors(a, b, VertexPairs{{v, v}}, VertexPairs{});
+    tuning.unlike.n_coarse = 500;
+    tuning.unlike.rivals.n_refined = 2;
+    tuning.unlike.rivals.n_repeated = {};
+    tuning.unlike.rivals.n_pull_rounds = 0;
+    for (const bool pinned : {true, false}) {
+        priors.pinned = pinned;
+        const Search found = search(a, b, priors, 0, tuning, {}, watch);
+        const Index image = found.finalists.front().on_vertices.b_from_a[at(v)];
+        EXPECT_LT((b.mesh.vertices.row(image) - b.mesh.vertices.row(v)).norm(), 0.15);
+        const bool has_unguided = std::any_of(found.finalists.begin(), found.finalists.end(),
+                                              [](const Candidate& map) { return !map.follows_landmarks; });
+        EXPECT_LE(has_unguided, pinned) << "soft ones are all that leads";
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 struct SpectralSurfaceDistance : testing::Test {
     const PreparedShape shape = prepare(test::horseshoe(), {.n_functions = 20, .n_samples = 200});
-    const SurfaceDistance distance{shape};
+    const SurfaceDistanceBound distance{shape};
 
     double straight(Index v, Index w) const {
         return (shape.mesh.vertices.row(v) - shape.mesh.vertices.row(w)).norm();
@@ -36,6 +36,13 @@ TEST_F(SpectralSurfaceDistance, IsBetweenStraightAndThatAlongEdges) {
 TEST_F(SpectralSurfaceDistance, OfEndsThatFaceEachOtherIsTheWayAround) {
     const auto [v, w] = test::ends_of_horseshoe(shape.mesh);
     EXPECT_GT(distance(v, w), 4 * straight(v, w));
+}
+
+TEST_F(SpectralSurfaceDistance, OfTwoComponentsIsThatThroughSpace) {
+    PreparedShape apart = shape;
+    const auto [v, w] = test::ends_of_horseshoe(shape.mesh);
+    apart.sample_distances.col(w).setConstant(unreachable);
+    EXPECT_EQ(SurfaceDistanceBound(apart)(v, w), straight(v, w));
 }
 
 }  // namespace

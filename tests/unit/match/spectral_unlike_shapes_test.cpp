@@ -76,6 +76,7 @@ TEST_F(SpectralUnlikeShapes, WhatWasSaidCounts) {
     const SampledPair pair(shape, shape, all_samples, CueTuning{}.radius, priors);
     const std::vector<Candidate> found = search_unlike(right_and_wrong(pair), {}, pair, 2, tuning);
     EXPECT_GT(error(found.front().on_vertices), 0.05);
+    EXPECT_GT(error(found.front().on_vertices), error(found.back().on_vertices));
 }
 
 TEST_F(SpectralUnlikeShapes, WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAgreesWithThem) {
@@ -92,7 +93,10 @@ TEST_F(SpectralUnlikeShapes, WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAg
         std::vector<Candidate> unguided =
             search_unlike({both[1]}, {}, {shape, shape, all_samples, 0}, 1, tuning);
         const Candidate found = search_unlike({both[0]}, unguided.front(), pair, 1, tuning).front();
-        EXPECT_EQ(error(found.on_vertices) < 0.02, is_true) << "the only map that was led is wrong";
+        if (is_true)
+            EXPECT_LT(error(found.on_vertices), 0.02) << "the only map that was led is wrong";
+        else
+            EXPECT_GT(error(found.on_vertices), 0.05) << "the identity contradicts the landmark";
     }
 }
 
