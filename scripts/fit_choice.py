@@ -3,13 +3,14 @@
 # SPDX-License-Identifier: MIT
 """Fits the weights with which finalists are ranked, and the constants of confidence.
 
-    fit_choice.py RESULTS.jsonl... [--left-out WORD,WORD...]
+    fit_choice.py RESULTS.jsonl... [--left-out WORD,WORD...] [--diagram FILE.svg]
 
 RESULTS are of benchmarks/candidates. Pairs whose names contain one of the words (default: hippo, gorilla, centaur,
 cat) are left out of the fit and reported apart. A finalist is right if its error is below 1.5 times the best one's
 plus 1, wrong above twice the best one's plus 4. Only near isometries are ranked so; confidence is of all pairs.
 Weights minimize the logistic loss over all right and wrong finalists of a pair, each pair counting 1, none below 0;
-the weight of the selection's score is 1. Needs NumPy. Nothing is random.
+the weight of the selection's score is 1. The reliability diagram has one panel for each class left out and one for
+the rest of each file of results. Needs NumPy, for the diagram also Matplotlib. Nothing is random.
 """
 
 import argparse
@@ -21,8 +22,11 @@ import numpy as np
 
 PARTS = ["relief", "residual", "wring", "drift"]
 PRESENT = np.array([1, 6, 2, 0.06, 15])  # CueTuning
+PRESENT_CONFIDENCE = (0.9, 0.12, 0.01, 0.12)  # ConfidenceTuning: half score, width, temperature, doubt length
 NEAR_ISOMETRY = 0.01  # drift of the best finalist, SelectionTuning::near_isometry_drift
-MOST_SURE = 0.6  # mean confidence that a pair above 6 may have
+MOST_SURE = 0.76  # mean confidence that a pair above 6 may have: none above 0.8, with a margin
+GOOD = 5  # error below which a point is right, in percent of sqrt(area)
+SAME_PLACE = 0.15  # ConfidenceTuning
 
 
 def selection_score(f):
@@ -41,6 +45,11 @@ def load(files):
             pair = json.loads(line)
             pair["errors"] = np.array([f["mean_error"] for f in pair["finalists"]])
             pair["features"] = np.array([features(f) for f in pair["finalists"]])
+            pair["file"] = pathlib.Path(file).stem
+            pair["is_good"] = np.array([v[0] < GOOD for v in pair["vertices"]])
+            pair["doubts"] = np.array([v[1] for v in pair["vertices"]])
+            pair["agrees"] = np.array([[True] + [x < SAME_PLACE for x in v[2]] for v in pair["vertices"]], dtype=float)
+            pair["totals"] = np.array([f["total"] for f in pair["refined"]])
             pairs.append(pair)
     return pairs
 
@@ -85,14 +94,10 @@ def confidence_of(pairs, half, width, temperature, length):
     """A list of (confidence of each point, whether the point lies within 5 % of sqrt(area)), one for each pair."""
     result = []
     for p in pairs:
-        total = np.array([f["total"] for f in p["refined"]])
         whole = 1 / (1 + np.exp(-(p["refined"][0]["refined_score"] - half) / width))
-        weights = np.exp((total - total[0]) / temperature)
-        errors = np.array([v[0] for v in p["vertices"]])
-        doubts = np.array([v[1] for v in p["vertices"]])
-        agrees = np.array([[True] + [x < 0.15 for x in v[2]] for v in p["vertices"]])
-        sure = whole * (agrees @ weights) / weights.sum() * np.exp(-((doubts / length) ** 2))
-        result.append((sure, errors < 5))
+        weights = np.exp((p["totals"] - p["totals"][0]) / temperature)
+        sure = whole * (p["agrees"] @ weights) / weights.sum() * np.exp(-((p["doubts"] / length) ** 2))
+        result.append((sure, p["is_good"]))
     return result
 
 
@@ -112,7 +117,7 @@ def fit_confidence(pairs):
     """half score, width, temperature, doubt length: the grid point of least calibration error among those that call no
     pair above 6 more than MOST_SURE."""
     grid = itertools.product(
-        np.arange(0.7, 1.1, 0.02), (0.05, 0.08, 0.1, 0.13, 0.18), (0.01, 0.02, 0.03), (0.08, 0.12, 0.16)
+        np.arange(0.7, 1.1, 0.02), (0.06, 0.08, 0.1, 0.12, 0.14, 0.18), (0.01, 0.02, 0.03), (0.08, 0.12, 0.16)
     )
     found = [(constants, confidence_of(pairs, *constants)) for constants in grid]
     careful = [(constants, f) for constants, f in found if most_sure_of_wrong(f, pairs) < MOST_SURE]
@@ -129,10 +134,55 @@ def report_confidence(name, pairs, constants):
     )
 
 
+def reliability(found, n_bins=10, least=10):
+    """For each bin of confidence with some points at least: mean confidence, share of good points, share of all points."""
+    sure, good = (np.concatenate(x) for x in zip(*found, strict=True))
+    bins = np.minimum((sure * n_bins).astype(int), n_bins - 1)
+    inside = [bins == b for b in range(n_bins)]
+    return np.array([(sure[i].mean(), good[i].mean(), i.mean()) for i in inside if i.sum() >= least])
+
+
+def in_groups(pairs, words):
+    """The pairs of each word, and the rest of each file, by name."""
+    groups = {}
+    for p in pairs:
+        names = (p["source"] + p["target"]).lower()
+        groups.setdefault(next((f"{w} (left out)" for w in words if w in names), p["file"]), []).append(p)
+    return dict(sorted(groups.items(), key=lambda group: "left out" in group[0]))
+
+
+def draw_reliability(groups, constants, file):
+    """One panel for each group of pairs, by name; the area of a dot is the share of all points in its bin."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams |= {"svg.hashsalt": "reliability", "svg.fonttype": "none"}  # the same bytes each time; small
+    from matplotlib import pyplot
+
+    n_columns = 5
+    n_rows = -(-len(groups) // n_columns)
+    figure, axes = pyplot.subplots(n_rows, n_columns, figsize=(9, 2.3 * n_rows), sharex=True, sharey=True, squeeze=False)
+    for axis in axes.flat[len(groups) :]:
+        axis.remove()
+    for axis, (name, pairs) in zip(axes.flat, groups.items(), strict=False):
+        found = confidence_of(pairs, *constants)
+        confidence, good, share = reliability(found).T
+        axis.plot([0, 1], [0, 1], color="0.7", linewidth=1)
+        axis.plot(confidence, good, color="tab:blue", linewidth=1)
+        axis.scatter(confidence, good, s=4 + 250 * share, color="tab:blue", alpha=0.6, linewidths=0)
+        axis.set_title(f"{name}, {len(pairs)} pairs\nerror {calibration_error(found):.3f}", fontsize=8)
+        axis.set_aspect("equal")
+    figure.supxlabel("confidence", fontsize=9)
+    figure.supylabel(f"share within {GOOD} % of sqrt(area)", fontsize=9)
+    figure.tight_layout()
+    figure.savefig(file, metadata={"Date": None})
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="+")
     parser.add_argument("--left-out", default="hippo,gorilla,centaur,cat")
+    parser.add_argument("--diagram", help="file for the reliability diagram of the constants as they are")
     arguments = parser.parse_args()
     words = arguments.left_out.lower().split(",")
     pairs = load(arguments.results)
@@ -149,13 +199,15 @@ def main():
         report("  dev", ranked_dev, w)
         report("  left out", ranked_test, w)
     for name, constants in [
-        ("as it is", (1, 0.08, 0.01, 0.12)),
+        ("as it is", PRESENT_CONFIDENCE),
         ("fitted", fit_confidence(dev or pairs)),
         ("fitted to all", fit_confidence(pairs)),
     ]:
         print("confidence", name, tuple(round(float(c), 3) for c in constants))
         report_confidence("  dev", dev, constants)
         report_confidence("  left out", test, constants)
+    if arguments.diagram:
+        draw_reliability(in_groups(pairs, words), PRESENT_CONFIDENCE, arguments.diagram)
 
 
 if __name__ == "__main__":
