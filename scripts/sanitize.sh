@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+#
+# Builds the library and its tests under the address and undefined-behavior sanitizers and runs them, then those of threads
+# under the thread sanitizer: scripts/sanitize.sh [--quick]. All take an hour on two cores; with --quick those are left out
+# that match whole bodies or solids for 20 s and more each and run nothing but what the tests of the stages run too. The
+# presets leave out the program and the tests on measuring data: they take too long.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+slow_tests=(
+  'Figure/SpectralLift.TakesAllVerticesToWhereTheyBelong/\(0, 2\)'
+  'Figure/SpectralLift.TakesAllVerticesToWhereTheyBelong/\(2, 0\)'
+  Match.CanBeStopped
+  Match.LandmarksSkipExact
+  Match.MeshesOfVeryDifferentSizeAreNotComparedInDetail
+  Match.MinSharedDecidesWhatIsNearlyTheSame
+  Match.UnrelatedMeshesAreSpectral
+  Match.WhatConnectivityFindsLeadsTheRestAndStays
+  MatchPartial.AFusedBodyIsMatchedAndWhereItTouchesIsSuspected
+  MatchPartial.MovedRenumberedAndOfUnknownScale
+  MatchPartial.UnlikeShapesAndWrongScalesAreDoubted
+  MatchPartial.WhatFitsALittleIsUnsure
+  MatchSpectral.AReflectedMeshIsSaidAndMatched
+  MatchSpectral.CanBeStoppedInEveryStage
+  MatchSpectral.InsideOutIsSaidAndMatchedWithMonotoneProgress
+  MatchSpectral.OneLandmarkTurnsASymmetricMapAndHoldsExactly
+  MatchSpectral.OneOpenMeshIsWarnedOf
+  MatchSpectral.UnlikeShapesOfVeryDifferentSizeGetLittleConfidenceAndASentenceBothWays
+  MatchVolume.OtherTetrahedraOfOneBentSolid
+  SpectralSearch.OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals
+  SpectralSearch.OfUnlikeShapesAPinnedLandmarkIsFollowedOrHeldAlone
+  SpectralSearch.OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefinedOnceMore
+  SpectralUnlikeShapes.WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAgreesWithThem
+)
+excluded=()
+[ "${1:-}" != --quick ] || excluded=(--exclude-regex "^($(IFS='|' && echo "${slow_tests[*]//./\\.}"))")
+
+for preset in asan tsan; do
+  # clang: quicker here than g++, and it warns of other things.
+  cmake --preset "$preset" -DCMAKE_CXX_COMPILER=clang++ > /dev/null
+  TIMEFORMAT="== build for $preset: %R s, %U s of CPU"
+  time cmake --build --preset "$preset"
+  TIMEFORMAT="== tests under $preset: %R s, %U s of CPU"
+  time ctest --preset "$preset" -j "$(nproc)" "${excluded[@]}"
+done
