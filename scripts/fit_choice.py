@@ -135,7 +135,7 @@ def report_confidence(name, pairs, constants):
 
 
 def reliability(found, n_bins=10, least=10):
-    """For each bin of confidence with some points at least: mean confidence, share of good points, share of all points."""
+    """For each bin of confidence with enough points: mean confidence, share of good points, share of all points."""
     sure, good = (np.concatenate(x) for x in zip(*found, strict=True))
     bins = np.minimum((sure * n_bins).astype(int), n_bins - 1)
     inside = [bins == b for b in range(n_bins)]
@@ -161,7 +161,9 @@ def draw_reliability(groups, constants, file):
 
     n_columns = 5
     n_rows = -(-len(groups) // n_columns)
-    figure, axes = pyplot.subplots(n_rows, n_columns, figsize=(9, 2.3 * n_rows), sharex=True, sharey=True, squeeze=False)
+    figure, axes = pyplot.subplots(
+        n_rows, n_columns, figsize=(9, 2.3 * n_rows), sharex=True, sharey=True, squeeze=False
+    )
     for axis in axes.flat[len(groups) :]:
         axis.remove()
     for axis, (name, pairs) in zip(axes.flat, groups.items(), strict=False):

@@ -302,8 +302,8 @@ struct UnlikeTuning {
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
     // Least calibration error (0.02) on all 420 pairs (people, animals, gorillas; benchmarks/candidates,
-    // scripts/fit_choice.py) among the settings that call no pair above 6 more than 0.76 sure. Without that
-    // bound and without hippos, gorillas, cats and centaurs 0.7 and 0.18 fit best, and a wrong map is 0.85 sure.
+    // scripts/fit_choice.py) among the settings that call no pair above 6 more than 0.76 sure. Without
+    // hippos, gorillas, cats and centaurs 0.7 and 0.18 fit best, which call a wrong map of those 0.85 sure.
     /// By equation 7, at which a map is trusted by half, 0.7 to 1.1 tried: maps of people have 1.2 to 1.44,
     /// right ones of animals 0.88 to 1.42, wrong ones 0.77 to 1.06.
     double half_score = 0.9;
