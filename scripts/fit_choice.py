@@ -54,6 +54,11 @@ def load(files):
     return pairs
 
 
+def class_of(pair, words):
+    """The word that is in one of the names, if any."""
+    return next((w for w in words if w in f"{pair['source']} {pair['target']}".lower()), None)
+
+
 def is_near_isometry(pair):
     return pair["finalists"][0]["drift"] < NEAR_ISOMETRY
 
@@ -119,9 +124,12 @@ def fit_confidence(pairs):
     grid = itertools.product(
         np.arange(0.7, 1.1, 0.02), (0.06, 0.08, 0.1, 0.12, 0.14, 0.18), (0.01, 0.02, 0.03), (0.08, 0.12, 0.16)
     )
-    found = [(constants, confidence_of(pairs, *constants)) for constants in grid]
-    careful = [(constants, f) for constants, f in found if most_sure_of_wrong(f, pairs) < MOST_SURE]
-    return min(careful, key=lambda pair: calibration_error(pair[1]))[0]
+    careful = []
+    for constants in grid:
+        found = confidence_of(pairs, *constants)
+        if most_sure_of_wrong(found, pairs) < MOST_SURE:
+            careful.append((calibration_error(found), constants))
+    return min(careful)[1]
 
 
 def report_confidence(name, pairs, constants):
@@ -139,16 +147,15 @@ def reliability(found, n_bins=10, least=10):
     sure, good = (np.concatenate(x) for x in zip(*found, strict=True))
     bins = np.minimum((sure * n_bins).astype(int), n_bins - 1)
     inside = [bins == b for b in range(n_bins)]
-    return np.array([(sure[i].mean(), good[i].mean(), i.mean()) for i in inside if i.sum() >= least])
+    return np.array([(sure[i].mean(), good[i].mean(), i.mean()) for i in inside if i.sum() >= least]).reshape(-1, 3)
 
 
 def in_groups(pairs, words):
-    """The pairs of each word, and the rest of each file, by name."""
+    """The rest of each file, then the pairs of each word, by name."""
     groups = {}
-    for p in pairs:
-        names = (p["source"] + p["target"]).lower()
-        groups.setdefault(next((f"{w} (left out)" for w in words if w in names), p["file"]), []).append(p)
-    return dict(sorted(groups.items(), key=lambda group: "left out" in group[0]))
+    for p in sorted(pairs, key=lambda p: class_of(p, words) is not None):
+        groups.setdefault(class_of(p, words) or p["file"], []).append(p)
+    return groups
 
 
 def draw_reliability(groups, constants, file):
@@ -162,7 +169,7 @@ def draw_reliability(groups, constants, file):
     n_columns = 5
     n_rows = -(-len(groups) // n_columns)
     figure, axes = pyplot.subplots(
-        n_rows, n_columns, figsize=(9, 2.3 * n_rows), sharex=True, sharey=True, squeeze=False
+        n_rows, n_columns, figsize=(9, 2.3 * n_rows), sharex=True, sharey=True, squeeze=False, layout="constrained"
     )
     for axis in axes.flat[len(groups) :]:
         axis.remove()
@@ -176,7 +183,6 @@ def draw_reliability(groups, constants, file):
         axis.set_aspect("equal")
     figure.supxlabel("confidence", fontsize=9)
     figure.supylabel(f"share within {GOOD} % of sqrt(area)", fontsize=9)
-    figure.tight_layout()
     figure.savefig(file, metadata={"Date": None})
 
 
@@ -188,9 +194,8 @@ def main():
     arguments = parser.parse_args()
     words = arguments.left_out.lower().split(",")
     pairs = load(arguments.results)
-    is_left_out = [any(w in (p["source"] + p["target"]).lower() for w in words) for p in pairs]
-    dev = [p for p, out in zip(pairs, is_left_out, strict=True) if not out]
-    test = [p for p, out in zip(pairs, is_left_out, strict=True) if out]
+    dev = [p for p in pairs if class_of(p, words) is None]
+    test = [p for p in pairs if class_of(p, words) is not None]
     ranked, ranked_dev, ranked_test = (list(filter(is_near_isometry, x)) for x in (pairs, dev, test))
     weights = [("selection alone", np.eye(1 + len(PARTS))[0]), ("as it is", PRESENT)]
     for name, fitted_to in [("fitted", ranked_dev), ("fitted to all", ranked)]:
