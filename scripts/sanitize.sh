@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the library with its unit and property tests and the cases of fuzzing under the address and undefined-behavior
-# sanitizers and runs them, then those of threads under the thread sanitizer: scripts/sanitize.sh [--quick]. An hour on two
-# cores; with --quick half of that, without tests that match whole bodies or solids for 20 s and more each and run little
+# sanitizers and runs them, then those of threads under the thread sanitizer: scripts/sanitize.sh [--quick]. About 40
+# minutes on two cores; with --quick without tests that match whole bodies or solids for 20 s and more each and run little
 # that the tests of the stages do not. The presets leave out the program and the tests on measuring data: they take too long.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -307,10 +307,9 @@ struct ConfidenceTuning {
     /// By equation 7, at which a map is trusted by half, 0.7 to 1.1 tried: maps of people have 1.19 to 1.44,
     /// right ones of animals 0.88 to 1.42, wrong ones 0.77 to 1.08.
     double half_score = 0.9;
-    double score_width = 0.12;  ///< of the logistic curve around it, 0.06 to 0.18 tried
-    double temperature =
-        0.01;                  ///< difference of scores at which a runner-up counts 1 / e, 0.01 to 0.03 tried
-    double same_place = 0.15;  ///< images closer than this agree
+    double score_width = 0.12;   ///< of the logistic curve around it, 0.06 to 0.18 tried
+    double temperature = 0.01;   ///< a runner-up so far behind counts 1 / e, 0.01 to 0.03 tried
+    double same_place = 0.15;    ///< images closer than this agree
     double doubt_length = 0.12;  ///< of a round trip plus tear, at which confidence falls to 1 / e
     /// Patches that refinement has not put back, and what is left of the confidence there. On 40 pairs of
     /// animals 62 % of their vertices are off by more than 5, 96 % of those above 0.5 without this.
