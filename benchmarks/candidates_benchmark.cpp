@@ -130,7 +130,7 @@ Matched match_with(const PreparedShape& a, const PreparedShape& b, const Priors&
     Search found =
         search(a, b, priors, static_cast<std::size_t>(SpectralOptions{}.n_alternatives), tuning, {}, watch);
     Matched matched{found.finalists, std::move(found.finalists)};
-    refine_rivals(matched.refined, found.all, found.rivals, tuning.refinement);
+    refine_rivals(matched.refined, found.all, found.rivals, found.refinement);
     return matched;
 }
 

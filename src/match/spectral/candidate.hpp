@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "match/spectral/extremity_matching.hpp"
 #include "match/spectral/half_turn_cues.hpp"
 #include "match/spectral/scores.hpp"
 
@@ -19,6 +20,7 @@ struct Candidate {
     bool was_tried = false;         // refined briefly in stage 4: only such can win
     bool both_pull = false;         // in refinement the other map pulls at the surface as well
     bool follows_landmarks = true;  // in refinement what surrounds landmarks follows them
+    ExtremityPairs guides;          // that refinement follows likewise
 };
 
 /// Between the samples nearest to vertices and to their images.

@@ -11,8 +11,10 @@
 
 namespace counterpart::spectral_match {
 
+using ExtremityPairs = std::vector<std::pair<int, int>>;  // of A and B
+
 struct ExtremityMatching {
-    std::vector<std::pair<int, int>> pairs;  // extremity of A, extremity of B
+    ExtremityPairs pairs;
     double cost = 0;
 };
 

@@ -36,7 +36,7 @@ struct Stages {
     SpectralResult finish(Search found, const ProgressRange& progress) {
         const SampledPair& pair = found.all;
         std::vector<Candidate>& finalists = found.finalists;
-        refine_rivals(finalists, pair, found.rivals, tuning.refinement, progress.part(0, 0.9));
+        refine_rivals(finalists, pair, found.rivals, found.refinement, progress.part(0, 0.9));
         const PairedMaps& maps = finalists.front().on_vertices;
         watch.lap("refinement");
         SpectralResult result;

@@ -47,6 +47,19 @@ MatrixF nearness(const PreparedShape& shape, std::span<const PriorPair> landmark
     return all;
 }
 
+// A vertex's shares of nearness to the guides: halfway down a short leg is halfway down a long one.
+MatrixF shares_of_nearness(const PreparedShape& shape, const std::vector<int>& guides,
+                           const RefinementTuning& tuning) {
+    MatrixF all(shape.mesh.n_vertices(), static_cast<Eigen::Index>(guides.size()));
+    for (std::size_t i = 0; i < guides.size(); ++i)
+        all.col(static_cast<Eigen::Index>(i)) =
+            (shape.extremity_distances.row(guides[i]).transpose().array() + tuning.guide_offset)
+                .square()
+                .inverse();
+    const VectorF sums = all.rowwise().sum();
+    return tuning.guide_weight * sums.cwiseInverse().asDiagonal() * all;
+}
+
 // Positions and normals, weighted.
 MatrixF placement(PointsView positions, PointsView normals, const RefinementTuning& tuning) {
     MatrixF all(positions.rows(), 6);
@@ -167,10 +180,17 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
     const std::span<const PriorPair> landmarks = start.follows_landmarks
                                                      ? std::span<const PriorPair>(all.priors.landmarks)
                                                      : std::span<const PriorPair>();
-    const MatrixF features_a = side_by_side(
-                      {intrinsic_features(a, tuning), nearness(a, landmarks, &PriorPair::from_a, tuning)}),
-                  features_b = side_by_side(
-                      {intrinsic_features(b, tuning), nearness(b, landmarks, &PriorPair::from_b, tuning)});
+    std::vector<int> guides_a, guides_b;
+    for (const auto& [i, j] : start.guides) {
+        guides_a.push_back(i);
+        guides_b.push_back(j);
+    }
+    const MatrixF features_a = side_by_side({intrinsic_features(a, tuning),
+                                             nearness(a, landmarks, &PriorPair::from_a, tuning),
+                                             shares_of_nearness(a, guides_a, tuning)}),
+                  features_b = side_by_side({intrinsic_features(b, tuning),
+                                             nearness(b, landmarks, &PriorPair::from_b, tuning),
+                                             shares_of_nearness(b, guides_b, tuning)});
     const auto partners = [&](const PairedFunctionalMaps& functional, const PairedMaps& guess, int rings,
                               const ExtraCoordinates& extra) {
         return pinned(match_points_nearby(a, b, functional, guess, rings, extra, progress), pins);

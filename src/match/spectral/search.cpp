@@ -35,7 +35,7 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
                       n_finalists = std::max(tuning.selection.n_finalists, n_asked);
     FinalChoiceTuning choice = tuning.final_choice;
     choice.n_tried = std::max(choice.n_tried, n_asked);
-    Search found{{a, b, all_samples, choice.cues.radius, priors}, {}, tuning.rivals};
+    Search found{{a, b, all_samples, choice.cues.radius, priors}, {}, tuning.rivals, tuning.refinement};
     std::vector<Candidate>& finalists = found.finalists;
     const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
 
@@ -64,6 +64,7 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
                                   progress.part(unguided ? 0.7 : 0.4, 1));
         found.rivals.n_refined = 1;
         found.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
+        found.refinement = winners_refinement(tuning);
     }
     watch.lap("final choice");
     return found;

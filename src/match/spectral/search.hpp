@@ -12,7 +12,8 @@ namespace counterpart::spectral_match {
 struct Search {
     SampledPair all;
     std::vector<Candidate> finalists = {};
-    RivalTuning rivals = {};  ///< which of them are to be refined in full
+    RivalTuning rivals = {};           ///< which of them are to be refined in full
+    RefinementTuning refinement = {};  ///< and how
 
     double score() const { return finalists.front().scores.total; }
 };

@@ -7,6 +7,7 @@
 #include "match/spectral/lift.hpp"
 #include "match/spectral/refined_score.hpp"
 #include "match/spectral/refinement.hpp"
+#include "match/spectral/rematching.hpp"
 #include "match/spectral/rivals.hpp"
 
 #include <utility>
@@ -35,7 +36,28 @@ void add_unguided(std::vector<Candidate>& finalists, const Candidate& unguided, 
     keep_distinct(finalists, MapDistance(coarse), tuning.distinct, finalists.size());
 }
 
+// The winner is rematched, and what was taken on the way comes after it. The others are now worse by as much.
+void rematch_winner(std::vector<Candidate>& finalists, const SampledPair& coarse, const UnlikeTuning& tuning,
+                    const RefinementTuning& refinement, const ProgressRange& progress) {
+    const double total = finalists.front().scores.total, before = finalists.front().refined_score;
+    std::vector<Candidate> better = rematch_extremities(finalists.front(), coarse, tuning.rematching,
+                                                        tuning.rivals.score, refinement, progress);
+    const double best = better.front().refined_score;
+    for (Candidate& candidate : better) candidate.scores.total = total - (best - candidate.refined_score);
+    for (Candidate& other : finalists) other.scores.total -= best - before;
+    finalists.erase(finalists.begin());
+    finalists.insert(finalists.begin(), better.begin(), better.end());
+    keep_distinct(finalists, MapDistance(coarse), tuning.rivals.distinct, finalists.size());
+}
+
 }  // namespace
+
+RefinementTuning winners_refinement(const SpectralTuning& tuning) {
+    RefinementTuning result = tuning.refinement;
+    result.position_weight = tuning.unlike.position_weight;
+    result.normal_weight = tuning.unlike.normal_weight;
+    return result;
+}
 
 std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
                                      const std::optional<Candidate>& unguided, const SampledPair& all,
@@ -50,9 +72,12 @@ std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
     std::vector<Candidate> finalists =
         choose_unlike(std::move(candidates), coarse, count, tuning, progress.part(0, 0.4));
     if (finalists.empty()) return {};
-    refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, unguided ? 0.9 : 0.95));
+    refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, unguided ? 0.6 : 0.65));
     if (unguided)
-        add_unguided(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.9, 0.95));
+        add_unguided(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.6, 0.65));
+    RefinementTuning of_winner = winners_refinement(tuning);
+    of_winner.goes_on = false;
+    rematch_winner(finalists, coarse, tuning.unlike, of_winner, progress.part(0.65, 0.95));
     for (Candidate& finalist : finalists) {
         finalist.maps = between_samples(coarse, finalist.on_vertices);
         finalist.on_vertices = lift(a.shape, b.shape, finalist.on_vertices, tuning.refinement, progress);

@@ -3,6 +3,7 @@
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/restricted_nearest.hpp"
+#include "numerics/nearest_neighbors.hpp"
 #include "support/spikes.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
@@ -131,34 +132,56 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
     EXPECT_GT(same, after.b_from_a.size() * 98 / 100);  // rounding
 }
 
-// A limb that ends halfway down a longer one: the rest of that, which no image covers, pulls it on.
-TEST(SpectralRefinement, WhatNoImageCoversPulls) {
-    const TriangleMesh shorter = test::three_spikes();
-    TriangleMesh longer = shorter;
-    for (Index v = 0; v < longer.n_vertices(); ++v)
-        if (longer.vertices(v, 0) > 1) longer.vertices(v, 0) = 1 + 2 * (longer.vertices(v, 0) - 1);
+// A limb that ends halfway down a longer one.
+struct SpectralShorterLimb : testing::Test {
+    const TriangleMesh shorter = test::three_spikes(), longer = with_longer_spike(shorter);
     const PreparationOptions options{.n_functions = 100, .n_samples = 300};
     const PreparedShape a = prepare(shorter, options), b = prepare(longer, options);
-    const auto nearest = [](const Points& from, const Points& to) {
-        std::vector<Index> map(at(from.rows()));
-        for (Eigen::Index v = 0; v < from.rows(); ++v) {
-            Eigen::Index image = 0;
-            (to.rowwise() - from.row(v)).rowwise().squaredNorm().minCoeff(&image);
-            map[at(v)] = static_cast<Index>(image);
-        }
-        return map;
-    };
+    const SampledPair pair{a, b, all_samples, 0};
     Candidate start;
-    start.on_vertices = {nearest(shorter.vertices, longer.vertices),
-                         nearest(longer.vertices, shorter.vertices)};
-    const SampledPair pair(a, b, all_samples, 0);
     Eigen::Index tip = 0;
     const double end = longer.vertices.col(0).maxCoeff(&tip);
-    const auto image_of_tip = [&] {
+
+    SpectralShorterLimb() {
+        start.on_vertices = {nearest(shorter.vertices, longer.vertices),
+                             nearest(longer.vertices, shorter.vertices)};
+    }
+
+    static TriangleMesh with_longer_spike(TriangleMesh mesh) {
+        for (Index v = 0; v < mesh.n_vertices(); ++v)
+            if (mesh.vertices(v, 0) > 1) mesh.vertices(v, 0) = 1 + 2 * (mesh.vertices(v, 0) - 1);
+        return mesh;
+    }
+
+    static std::vector<Index> nearest(const Points& from, const Points& to) {
+        const numerics::NearestNeighbors search(to);
+        std::vector<Index> map;
+        for (Eigen::Index v = 0; v < from.rows(); ++v) map.push_back(search.closest(from.row(v)).index);
+        return map;
+    }
+
+    double image_of_tip() const {
         return longer.vertices(refine(pair, start, {.n_continued_rounds = 8}).b_from_a[at(tip)], 0);
-    };
+    }
+};
+
+// The rest of the longer one, which no image covers, pulls it on.
+TEST_F(SpectralShorterLimb, WhatNoImageCoversPulls) {
     EXPECT_LT(image_of_tip(), 0.8 * end) << "or this proves nothing";
     start.both_pull = true;
+    EXPECT_GT(image_of_tip(), 0.98 * end);
+}
+
+TEST_F(SpectralShorterLimb, GuidesAreFollowed) {
+    const auto tips = [](const PreparedShape& shape) {
+        std::vector<Index> vertices;
+        for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
+        return Points(shape.mesh.vertices(vertices, Eigen::all));
+    };
+    ASSERT_GE(a.extremities.size(), 3U);
+    const std::vector<Index> partners = nearest(tips(a), tips(b));
+    for (std::size_t i = 0; i < partners.size(); ++i)
+        start.guides.emplace_back(static_cast<int>(i), static_cast<int>(partners[i]));
     EXPECT_GT(image_of_tip(), 0.98 * end);
 }
 

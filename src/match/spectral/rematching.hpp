@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/spectral/candidate.hpp"
+
+namespace counterpart::spectral_match {
+
+/// The end of stage 4 of unlike shapes. A refined map may have all limbs in place and yet take the jaw to the
+/// nose, and the nose to the forehead: refinement cannot exchange them. So extremities that the map and its
+/// inverse do not take near each other are matched otherwise, one pair at a time, and the others as the map
+/// does. Each such matching guides a refinement of the map, which is then refined freely; the best one by
+/// equation 7 takes the place of the map if that gains, and is varied likewise. Returns all maps that were
+/// taken, best first, `map` as the last; both maps pull in all of them. `map` is to be refined by equation 7.
+/// Time: of up to a hundred refinements, ten on average.
+std::vector<Candidate> rematch_extremities(const Candidate& map, const SampledPair& all,
+                                           const RematchingTuning& tuning, const RefinedScoreTuning& score,
+                                           const RefinementTuning& refinement,
+                                           const ProgressRange& progress = {});
+
+}  // namespace counterpart::spectral_match
