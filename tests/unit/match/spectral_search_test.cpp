@@ -58,6 +58,7 @@ TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefine
     tuning.unlike.rivals.n_refined = 2;
     tuning.unlike.rivals.n_repeated = {1};
     tuning.unlike.rivals.distinct = {.mean = 0, .moved_share = 0};
+    tuning.unlike.rematching.n_rounds = 0;  // what it takes on the way would come on top
     const Search found = between(b, 7);
     EXPECT_EQ(found.rivals.n_refined, 1U);
     ASSERT_EQ(found.finalists.size(), 8U);
@@ -66,6 +67,23 @@ TEST_F(SpectralSearch, OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefine
         EXPECT_EQ(found.finalists[i].on_vertices.b_from_a.size(), at(a.mesh.n_vertices()));
         EXPECT_EQ(found.finalists[i].on_vertices.a_from_b.size(), at(b.mesh.n_vertices()));
     }
+}
+
+TEST_F(SpectralSearch, OfUnlikeShapesTheWinnerIsRematchedAndComesAfterWhatIsBetter) {
+    const PreparedShape b = spiky(0.6);
+    tuning.unlike.n_coarse = 500;
+    tuning.unlike.rivals.n_refined = 1;
+    tuning.unlike.rivals.n_repeated = {};
+    tuning.unlike.rivals.n_pull_rounds = 0;
+    tuning.unlike.rivals.distinct = {.mean = 0, .moved_share = 0};  // all are kept
+    const Search with = between(b, 0);
+    tuning.unlike.rematching.n_rounds = 0;
+    const Search without = between(b, 0);
+    ASSERT_GT(with.finalists.size(), without.finalists.size());
+    const Candidate &best = with.finalists[0], &next = with.finalists[1];
+    EXPECT_GT(best.refined_score, without.finalists.front().refined_score);
+    EXPECT_EQ(best.scores.total, without.score());
+    EXPECT_NEAR(best.scores.total - next.scores.total, best.refined_score - next.refined_score, 1e-12);
 }
 
 TEST_F(SpectralSearch, OfUnlikeShapesAPinnedLandmarkIsFollowedOrHeldAlone) {
