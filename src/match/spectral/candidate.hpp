@@ -18,6 +18,7 @@ struct Candidate {
     double refined_score = 0;       // equation 7, of the last refinement
     bool was_flipped = false;       // its sign flips have been tried
     bool was_tried = false;         // refined briefly in stage 4: only such can win
+    bool was_rematched = false;     // found by another matching of extremities
     bool both_pull = false;         // in refinement the other map pulls at the surface as well
     bool follows_landmarks = true;  // in refinement what surrounds landmarks follows them
     ExtremityPairs guides;          // that refinement follows likewise

@@ -90,6 +90,7 @@ Candidate refined_with(const ExtremityPairs& guides, Candidate map, const Sample
     }
     map.maps = between_samples(all, map.on_vertices);
     map.refined_score = refined_score(all, map.on_vertices, score);
+    map.was_rematched = true;
     return map;
 }
 

@@ -64,7 +64,8 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
                                   progress.part(unguided ? 0.7 : 0.4, 1));
         found.rivals.n_refined = 1;
         found.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
-        found.refinement = winners_refinement(tuning);
+        if (!finalists.empty() && finalists.front().was_rematched)
+            found.refinement = winners_refinement(tuning);
     }
     watch.lap("final choice");
     return found;

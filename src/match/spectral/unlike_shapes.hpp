@@ -22,7 +22,7 @@ std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
                                      std::size_t count, const SpectralTuning& tuning,
                                      const ProgressRange& progress = {});
 
-/// As the winner is to be refined from then on.
+/// As the winner is to be refined from then on if rematching gained.
 RefinementTuning winners_refinement(const SpectralTuning& tuning);
 
 }  // namespace counterpart::spectral_match
