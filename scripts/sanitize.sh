@@ -28,8 +28,10 @@ slow_tests=(
   MatchSpectral.OneOpenMeshIsWarnedOf
   MatchSpectral.UnlikeShapesOfVeryDifferentSizeGetLittleConfidenceAndASentenceBothWays
   MatchVolume.OtherTetrahedraOfOneBentSolid
+  SpectralRematching.ExchangingTheShapesExchangesTheMaps
   SpectralSearch.OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals
   SpectralSearch.OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefinedOnceMore
+  SpectralSearch.OfUnlikeShapesTheWinnerIsRematchedAndComesAfterWhatIsBetter
   SpectralUnlikeShapes.WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAgreesWithThem
 )
 case "${1:-}" in
