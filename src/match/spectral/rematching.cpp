@@ -85,10 +85,9 @@ Candidate refined_with(const ExtremityPairs& guides, Candidate map, const Sample
                        const ProgressRange& progress) {
     for (const ExtremityPairs& held : {guides, ExtremityPairs()}) {
         map.guides = held;
-        map.maps = between_samples(all, map.on_vertices);
         map.on_vertices = refine(all, map, refinement, progress);
+        map.maps = between_samples(all, map.on_vertices);
     }
-    map.maps = between_samples(all, map.on_vertices);
     map.refined_score = refined_score(all, map.on_vertices, score);
     map.was_rematched = true;
     return map;

@@ -21,8 +21,6 @@ namespace {
 void add_unguided(std::vector<Candidate>& finalists, const Candidate& unguided, const SampledPair& coarse,
                   const RivalTuning& tuning, const RefinementTuning& refinement,
                   const ProgressRange& progress) {
-    // A single rival still has the map that it was compared by before.
-    finalists.front().maps = between_samples(coarse, finalists.front().on_vertices);
     const std::vector<Candidate> starts{finalists.front(), unguided};
     for (std::size_t i = 0; i < starts.size(); ++i) {
         Candidate other = starts[i];
@@ -73,6 +71,8 @@ std::vector<Candidate> search_unlike(std::vector<Candidate> candidates,
         choose_unlike(std::move(candidates), coarse, count, tuning, progress.part(0, 0.4));
     if (finalists.empty()) return {};
     refine_rivals(finalists, coarse, tuning.unlike.rivals, anew, progress.part(0.4, unguided ? 0.6 : 0.65));
+    // A single rival still has the map that it was compared by before.
+    finalists.front().maps = between_samples(coarse, finalists.front().on_vertices);
     if (unguided)
         add_unguided(finalists, *unguided, coarse, tuning.unlike.rivals, anew, progress.part(0.6, 0.65));
     RefinementTuning of_winner = winners_refinement(tuning);
