@@ -13,15 +13,17 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;         // empty before stage 4
-    Cues cues;                      // of stage 4
-    double refined_score = 0;       // equation 7, of the last refinement
-    bool was_flipped = false;       // its sign flips have been tried
-    bool was_tried = false;         // refined briefly in stage 4: only such can win
-    bool was_rematched = false;     // found by another matching of extremities
-    bool both_pull = false;         // in refinement the other map pulls at the surface as well
-    bool follows_landmarks = true;  // in refinement what surrounds landmarks follows them
-    ExtremityPairs guides;          // that refinement follows likewise
+    PairedMaps on_vertices;      // empty before stage 4
+    Cues cues;                   // of stage 4
+    double refined_score = 0;    // equation 7, of the last refinement
+    bool was_flipped = false;    // its sign flips have been tried
+    bool was_tried = false;      // refined briefly in stage 4: only such can win
+    bool was_rematched = false;  // found by another matching of extremities
+    // In refinement:
+    bool both_pull = false;           // the other map pulls at the surface as well
+    bool follows_landmarks = true;    // what surrounds landmarks follows them
+    bool follows_directions = false;  // heights along common directions agree
+    ExtremityPairs guides;            // what is between them follows them, and landmarks likewise
 };
 
 /// Between the samples nearest to vertices and to their images.

@@ -110,10 +110,13 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     std::optional<PreparedShape> mirror;
     if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
     const Priors priors = make_priors(source, target, options, tuning.priors);
-    Search first = stages.search(source, options.symmetric ? *mirror : target, priors,
-                                 progress.part(0, may_be_mirrored ? 0.3 : 0.6));
+    const Priors priors_of_mirror = with_mirrored_b(priors);
+    Search first = options.symmetric
+                       ? stages.search(source, *mirror, priors_of_mirror, progress.part(0, 0.6))
+                       : stages.search(source, target, priors, progress.part(0, may_be_mirrored ? 0.3 : 0.6));
     std::optional<Search> second;
-    if (may_be_mirrored) second.emplace(stages.search(source, *mirror, priors, progress.part(0.3, 0.6)));
+    if (may_be_mirrored)
+        second.emplace(stages.search(source, *mirror, priors_of_mirror, progress.part(0.3, 0.6)));
     const double score = first.score(), mirrored_score = second ? second->score() : 0;
     const bool is_mirrored = second && mirrored_score > score + tuning.confidence.min_mirror_gain;
     SpectralResult result = stages.finish(std::move(is_mirrored ? *second : first), progress.part(0.6, 1));

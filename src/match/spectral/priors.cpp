@@ -74,14 +74,14 @@ double image_distance(const PreparedShape& a, const PreparedShape& b, const Prio
 }
 
 // Mean over the common directions of what the correlation of the coordinates along it lacks.
-double missing_agreement(const PreparedShape& a, const PreparedShape& b, const Eigen::Matrix3Xd& directions,
-                         double enough, const std::vector<Index>& b_from_a) {
+double missing_agreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
+                         const std::vector<Index>& b_from_a) {
     const auto n = static_cast<Eigen::Index>(b_from_a.size());
-    Eigen::MatrixXd x(n, directions.cols()), y = x;
+    Eigen::MatrixXd x(n, priors.directions_a.cols()), y = x;
     for (Eigen::Index s = 0; s < n; ++s) {
         const auto i = static_cast<std::size_t>(s);
-        x.row(s) = a.mesh.vertices.row(a.samples[i]) * directions;
-        y.row(s) = b.mesh.vertices.row(b.samples[static_cast<std::size_t>(b_from_a[i])]) * directions;
+        x.row(s) = a.mesh.vertices.row(a.samples[i]) * priors.directions_a;
+        y.row(s) = b.mesh.vertices.row(b.samples[at(b_from_a[i])]) * priors.directions_b;
     }
     x.rowwise() -= x.colwise().mean().eval();
     y.rowwise() -= y.colwise().mean().eval();
@@ -89,7 +89,7 @@ double missing_agreement(const PreparedShape& a, const PreparedShape& b, const E
     for (Eigen::Index d = 0; d < x.cols(); ++d) {
         const double correlation =
             x.col(d).dot(y.col(d)) / std::max(x.col(d).norm() * y.col(d).norm(), 1e-12);
-        sum += std::max(0.0, enough - correlation);
+        sum += std::max(0.0, priors.tuning.enough_correlation - correlation);
     }
     return sum / static_cast<double>(x.cols());
 }
@@ -111,9 +111,14 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
                    const PriorTuning& tuning) {
     Priors priors = make_priors(a, b, matched(options.landmarks, a, b), matched(options.excluded, a, b));
-    priors.directions = common_directions(options);
+    priors.directions_a = priors.directions_b = common_directions(options);
     priors.pinned = !options.soft_landmarks;
     priors.tuning = tuning;
+    return priors;
+}
+
+Priors with_mirrored_b(Priors priors) {
+    priors.directions_b.row(0) *= -1;  // as `mirrored` does
     return priors;
 }
 
@@ -127,9 +132,8 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
     for (const PriorPair& pair : priors.excluded)
         result += tuning.excluded_weight *
                   std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps, 0));
-    if (priors.directions.cols() > 0)
-        result += tuning.direction_weight *
-                  missing_agreement(a, b, priors.directions, tuning.enough_correlation, maps.b_from_a);
+    if (priors.directions_a.cols() > 0)
+        result += tuning.direction_weight * missing_agreement(a, b, priors, maps.b_from_a);
     return result;
 }
 

@@ -24,12 +24,13 @@ struct PriorPair {
 struct Priors {
     std::vector<PriorPair> landmarks;  // correspond
     std::vector<PriorPair> excluded;   // do not
-    /// Directions of space that mean the same to both shapes, a column each (3 x at most 3).
-    Eigen::Matrix3Xd directions = Eigen::Matrix3Xd(3, 0);
+    /// Directions that mean the same to both shapes, a column each (3 x at most 3), as either one lies in
+    /// space.
+    Eigen::Matrix3Xd directions_a = Eigen::Matrix3Xd(3, 0), directions_b = directions_a;
     bool pinned = true;  // landmarks hold exactly
     PriorTuning tuning = {};
 
-    bool empty() const { return landmarks.empty() && excluded.empty() && directions.cols() == 0; }
+    bool empty() const { return landmarks.empty() && excluded.empty() && directions_a.cols() == 0; }
     /// Landmarks that hold exactly.
     VertexPairs pins() const;
 };
@@ -43,6 +44,9 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 /// What the options say, of input vertices.
 Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
                    const PriorTuning& tuning);
+
+/// The same for A and `mirrored` B.
+Priors with_mirrored_b(Priors priors);
 
 /// To be taken off the score of maps between the first samples: distances between landmarks and the images of
 /// what surrounds them, excluded pairs that are near each other under the map, coordinates along common

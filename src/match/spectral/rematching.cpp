@@ -79,12 +79,19 @@ std::vector<ExtremityPairs> variations(const std::vector<Closeness>& close, doub
     return result;
 }
 
+// One refinement to be tried.
+struct Trial {
+    ExtremityPairs guides;
+    bool follows_directions;
+};
+
 // Held by the guides, then free.
-Candidate refined_with(const ExtremityPairs& guides, Candidate map, const SampledPair& all,
+Candidate refined_with(const Trial& trial, Candidate map, const SampledPair& all,
                        const RefinedScoreTuning& score, const RefinementTuning& refinement,
                        const ProgressRange& progress) {
-    for (const ExtremityPairs& held : {guides, ExtremityPairs()}) {
-        map.guides = held;
+    for (const bool is_held : {true, false}) {
+        map.guides = is_held ? trial.guides : ExtremityPairs();
+        map.follows_directions = is_held && trial.follows_directions;
         map.on_vertices = refine(all, map, refinement, progress);
         map.maps = between_samples(all, map.on_vertices);
     }
@@ -102,16 +109,20 @@ std::vector<Candidate> rematch_extremities(const Candidate& map, const SampledPa
     std::vector<Candidate> taken{map};
     taken.back().both_pull = true;
     std::set<ExtremityPairs> tried;
+    const bool has_directions = all.priors.directions_a.cols() > 0;
     for (int round = 0; round < tuning.n_rounds; ++round) {
         progress.reach(static_cast<double>(round) / tuning.n_rounds);
         const Candidate& best = taken.back();
-        std::vector<ExtremityPairs> fresh;
+        std::vector<Trial> trials;
         for (ExtremityPairs& matching :
-             variations(close_pairs(all, best.on_vertices, tuning.most_apart), tuning.settled))
-            if (tried.insert(matching).second) fresh.push_back(std::move(matching));
-        std::vector<Candidate> found(fresh.size());
-        parallel_for(fresh.size(), 1, [&](std::size_t i) {
-            found[i] = refined_with(fresh[i], best, all, score, refinement, progress);
+             variations(close_pairs(all, best.on_vertices, tuning.most_apart), tuning.settled)) {
+            if (!tried.insert(matching).second) continue;
+            if (has_directions) trials.push_back({matching, true});
+            trials.push_back({std::move(matching), false});
+        }
+        std::vector<Candidate> found(trials.size());
+        parallel_for(trials.size(), 1, [&](std::size_t i) {
+            found[i] = refined_with(trials[i], best, all, score, refinement, progress);
         });
         const auto top = std::max_element(
             found.begin(), found.end(),

@@ -23,7 +23,7 @@ double disagreement_on_up(const PreparedShape& a, const PreparedShape& b) {
     std::vector<Index> identity(a.samples.size());
     std::iota(identity.begin(), identity.end(), 0);
     Priors priors;
-    priors.directions = Eigen::Vector3d::UnitY();
+    priors.directions_a = priors.directions_b = Eigen::Vector3d::UnitY();
     return disagreement(a, b, priors, {identity, identity});
 }
 
@@ -42,12 +42,22 @@ TEST(SpectralPriors, EachDirectionHasToAgree) {
     std::vector<Index> identity(upright.samples.size());
     std::iota(identity.begin(), identity.end(), 0);
     Priors priors;
-    priors.directions = Eigen::Matrix3d::Identity();
+    priors.directions_a = priors.directions_b = Eigen::Matrix3d::Identity();
     const PairedMaps maps{identity, identity};
     EXPECT_EQ(disagreement(upright, upright, priors, maps), 0);
     EXPECT_NEAR(disagreement(upright, mirrored_in_x, priors, maps),
                 priors.tuning.direction_weight * (1 + priors.tuning.enough_correlation) / 3, 1e-9)
         << "the other two do not make up for it";
+}
+
+TEST(SpectralPriors, WhatIsUpInBIsSoInItsMirrorImage) {
+    const PreparedShape shape = spikes_turned_by(0), image = mirrored(shape);
+    std::vector<Index> identity(shape.samples.size());
+    std::iota(identity.begin(), identity.end(), 0);
+    Priors priors;
+    priors.directions_a = priors.directions_b = Eigen::Vector3d::UnitX();
+    EXPECT_GT(disagreement(shape, image, priors, {identity, identity}), 1.5);
+    EXPECT_EQ(disagreement(shape, image, with_mirrored_b(priors), {identity, identity}), 0);
 }
 
 TEST(SpectralPriors, WhatSurroundsALandmarkMustAgreeNotTheLandmarkAlone) {

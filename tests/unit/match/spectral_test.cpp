@@ -250,6 +250,18 @@ TEST(MatchSpectral, SymmetricMatchesTheMirrorImage) {
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
 }
 
+// Inside, the mirror image is taken in x.
+TEST(MatchSpectral, WhatIsUpIsUpInMirrorImagesToo) {
+    const TriangleMesh source = bumpy_sphere(3);
+    TriangleMesh target = source;
+    target.vertices.col(1) *= -1;
+    target.triangles.col(1).swap(target.triangles.col(2));
+    SpectralOptions options{.symmetric = true};
+    const SpectralResult result = match_spectral(source, target, options, small);
+    options.up = Eigen::Vector3d::UnitX();
+    EXPECT_EQ(match_spectral(source, target, options, small).score, result.score);
+}
+
 TEST(MatchSpectral, PlanesAreSaidToBeFlat) {
     const SpectralResult result = match_spectral(make_grid(20, 10), make_grid(20, 10), {}, small);
     EXPECT_NE(all_of(result.warnings).find("flat"), std::string::npos);
