@@ -133,7 +133,8 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
         ->group(group);
     match
         .add_flag("--aligned", arguments->options.aligned,
-                  "Both meshes stand alike: up, front and left are the same directions in both")
+                  "Both meshes stand alike: up, front and left are the same directions in both; not with "
+                  "--symmetric")
         ->group(group);
     match
         .add_option("--up", arguments->up,

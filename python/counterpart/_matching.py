@@ -61,6 +61,7 @@ def match(
         Spectral: pairs (source vertex, target vertex) that do not correspond, nor do their surroundings.
     aligned : bool
         Spectral: both meshes stand in the same frame: left, up and front in one are so in the other, roughly.
+        Not with `symmetric`.
     up, facing : str or array_like, (3,), optional
         Spectral: directions that are the same in both frames: "x", "y", "z", "-x", "-y", "-z" or a vector. `facing`
         needs `up`.

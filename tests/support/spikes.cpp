@@ -19,6 +19,12 @@ TriangleMesh three_spikes(int n_subdivisions) {
     return mesh;
 }
 
+TriangleMesh with_longer_spike(TriangleMesh spikes) {
+    for (Index v = 0; v < spikes.n_vertices(); ++v)
+        if (spikes.vertices(v, 0) > 1) spikes.vertices(v, 0) = 1 + 2 * (spikes.vertices(v, 0) - 1);
+    return spikes;
+}
+
 TriangleMesh horseshoe(int n_subdivisions) {
     TriangleMesh mesh = make_icosphere(n_subdivisions);
     for (Index v = 0; v < mesh.n_vertices(); ++v) {

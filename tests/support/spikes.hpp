@@ -13,6 +13,9 @@ namespace counterpart::test {
 /// An icosphere of radius 1 with spikes of length 2 along +x, 1.2 along +y and 1.6 along -y.
 TriangleMesh three_spikes(int n_subdivisions = 4);
 
+/// That body, vertex by vertex, with the spike along +x twice as long: to 5 instead of 3.
+TriangleMesh with_longer_spike(TriangleMesh spikes);
+
 /// A tube of radius up to 0.25 bent around the z axis at distance 1, almost to a ring: its two ends, at -x,
 /// face each other 0.04 apart.
 TriangleMesh horseshoe(int n_subdivisions = 4);

@@ -70,7 +70,7 @@ struct SpectralOptions {
     /// vertex lose.
     std::vector<std::pair<Index, Index>> excluded{};
     /// Both meshes stand in the same frame: what is left, up and in front in one is so in the other, if only
-    /// roughly. Their poses, positions and sizes may differ.
+    /// roughly. Their poses, positions and sizes may differ. Not with `symmetric`.
     bool aligned = false;
     /// Directions that are the same in both frames, of any length; zero = unknown. `facing` needs `up`.
     Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();

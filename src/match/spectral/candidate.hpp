@@ -23,7 +23,7 @@ struct Candidate {
     bool both_pull = false;           // the other map pulls at the surface as well
     bool follows_landmarks = true;    // what surrounds landmarks follows them
     bool follows_directions = false;  // heights along common directions agree
-    ExtremityPairs guides;            // what is between them follows them, and landmarks likewise
+    ExtremityPairs guides;            // what is between them follows them
 };
 
 /// Between the samples nearest to vertices and to their images.

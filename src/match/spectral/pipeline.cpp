@@ -107,10 +107,13 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     // score tells, and only the winner is finished.
     const bool may_be_mirrored =
         !options.symmetric && source.origin.was_inside_out != target.origin.was_inside_out;
-    std::optional<PreparedShape> mirror;
-    if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
     const Priors priors = make_priors(source, target, options, tuning.priors);
-    const Priors priors_of_mirror = with_mirrored_b(priors);
+    std::optional<PreparedShape> mirror;
+    Priors priors_of_mirror;
+    if (options.symmetric || may_be_mirrored) {
+        mirror = mirrored(target);
+        priors_of_mirror = with_mirrored_b(priors);
+    }
     Search first = options.symmetric
                        ? stages.search(source, *mirror, priors_of_mirror, progress.part(0, 0.6))
                        : stages.search(source, target, priors, progress.part(0, may_be_mirrored ? 0.3 : 0.6));

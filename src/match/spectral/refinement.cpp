@@ -14,6 +14,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace counterpart::spectral_match {
@@ -47,33 +48,64 @@ MatrixF nearness(const PreparedShape& shape, std::span<const PriorPair> landmark
     return all;
 }
 
-// Distances from the guides, one in a row: extremities, and landmarks likewise.
-MatrixF distances_from_guides(const PreparedShape& shape, const std::vector<int>& extremities,
-                              std::span<const PriorPair> landmarks, VectorF PriorPair::*distances) {
-    const auto n = static_cast<Eigen::Index>(extremities.size());
-    MatrixF all(n + static_cast<Eigen::Index>(landmarks.size()), shape.mesh.n_vertices());
-    for (Eigen::Index i = 0; i < n; ++i) all.row(i) = shape.extremity_distances.row(extremities[at(i)]);
-    for (std::size_t i = 0; i < landmarks.size(); ++i)
-        all.row(n + static_cast<Eigen::Index>(i)) = (landmarks[i].*distances).transpose();
-    return all;
-}
-
 // A vertex's shares of nearness to the guides: halfway down a short leg is halfway down a long one.
-MatrixF shares_of_nearness(const MatrixF& distances, const RefinementTuning& tuning) {
-    const MatrixF all = (distances.transpose().array() + tuning.guide_offset).square().inverse();
+MatrixF shares_of_nearness(const PreparedShape& shape, const std::vector<int>& guides,
+                           const RefinementTuning& tuning) {
+    MatrixF all(shape.mesh.n_vertices(), static_cast<Eigen::Index>(guides.size()));
+    for (std::size_t i = 0; i < guides.size(); ++i)
+        all.col(static_cast<Eigen::Index>(i)) =
+            (shape.extremity_distances.row(guides[i]).transpose().array() + tuning.guide_offset)
+                .square()
+                .inverse();
     const VectorF sums = all.rowwise().sum();
     return tuning.guide_weight * sums.cwiseInverse().asDiagonal() * all;
 }
 
-// How far along each common direction, between the two ends of the shape.
+// How far up, to the front or to the left, between the two ends of the shape; of one that is flat there,
+// nothing.
 MatrixF heights(const PreparedShape& shape, const Eigen::Matrix3Xd& directions,
                 const RefinementTuning& tuning) {
     Eigen::MatrixXd all = shape.mesh.vertices * directions;
     for (Eigen::Index d = 0; d < all.cols(); ++d) {
         all.col(d).array() -= all.col(d).minCoeff();
-        all.col(d) /= std::max(all.col(d).maxCoeff(), 1e-12);
+        const double height = all.col(d).maxCoeff();
+        all.col(d) *= height > tuning.least_height ? 1 / height : 0;
     }
     return tuning.height_weight * all.cast<float>();
+}
+
+MatrixF side_by_side(std::initializer_list<MatrixF> parts) {
+    Eigen::Index n = 0;
+    for (const MatrixF& part : parts) n += part.cols();
+    MatrixF all(parts.begin()->rows(), n);
+    n = 0;
+    for (const MatrixF& part : parts) {
+        all.middleCols(n, part.cols()) = part;
+        n += part.cols();
+    }
+    return all;
+}
+
+// What is compared in all rounds, of A and of B.
+std::pair<MatrixF, MatrixF> features(const SampledPair& all, const Candidate& start,
+                                     const RefinementTuning& tuning) {
+    const Priors& priors = all.priors;
+    const std::span<const PriorPair> landmarks =
+        start.follows_landmarks ? std::span<const PriorPair>(priors.landmarks) : std::span<const PriorPair>();
+    const Eigen::Index n_directions = start.follows_directions ? priors.directions_a.cols() : 0;
+    std::vector<int> guides_a, guides_b;
+    for (const auto& [i, j] : start.guides) {
+        guides_a.push_back(i);
+        guides_b.push_back(j);
+    }
+    return {side_by_side({intrinsic_features(all.a, tuning),
+                          nearness(all.a, landmarks, &PriorPair::from_a, tuning),
+                          shares_of_nearness(all.a, guides_a, tuning),
+                          heights(all.a, priors.directions_a.leftCols(n_directions), tuning)}),
+            side_by_side({intrinsic_features(all.b, tuning),
+                          nearness(all.b, landmarks, &PriorPair::from_b, tuning),
+                          shares_of_nearness(all.b, guides_b, tuning),
+                          heights(all.b, priors.directions_b.leftCols(n_directions), tuning)})};
 }
 
 // Positions and normals, weighted.
@@ -175,45 +207,13 @@ PairedMaps pinned(PairedMaps maps, const VertexPairs& pins) {
     return maps;
 }
 
-MatrixF side_by_side(std::initializer_list<MatrixF> parts) {
-    Eigen::Index n = 0;
-    for (const MatrixF& part : parts) n += part.cols();
-    MatrixF all(parts.begin()->rows(), n);
-    n = 0;
-    for (const MatrixF& part : parts) {
-        all.middleCols(n, part.cols()) = part;
-        n += part.cols();
-    }
-    return all;
-}
-
 }  // namespace
 
 PairedMaps refine(const SampledPair& all, const Candidate& start, const RefinementTuning& tuning,
                   const ProgressRange& progress) {
     const PreparedShape &a = all.a, &b = all.b;
     const VertexPairs pins = all.priors.pins();
-    const std::span<const PriorPair> landmarks = start.follows_landmarks
-                                                     ? std::span<const PriorPair>(all.priors.landmarks)
-                                                     : std::span<const PriorPair>();
-    std::vector<int> guides_a, guides_b;
-    for (const auto& [i, j] : start.guides) {
-        guides_a.push_back(i);
-        guides_b.push_back(j);
-    }
-    const std::span<const PriorPair> guiding =
-        start.guides.empty() ? std::span<const PriorPair>() : landmarks;
-    const Eigen::Index n_directions = start.follows_directions ? all.priors.directions_a.cols() : 0;
-    const MatrixF features_a = side_by_side(
-                      {intrinsic_features(a, tuning), nearness(a, landmarks, &PriorPair::from_a, tuning),
-                       shares_of_nearness(distances_from_guides(a, guides_a, guiding, &PriorPair::from_a),
-                                          tuning),
-                       heights(a, all.priors.directions_a.leftCols(n_directions), tuning)}),
-                  features_b = side_by_side(
-                      {intrinsic_features(b, tuning), nearness(b, landmarks, &PriorPair::from_b, tuning),
-                       shares_of_nearness(distances_from_guides(b, guides_b, guiding, &PriorPair::from_b),
-                                          tuning),
-                       heights(b, all.priors.directions_b.leftCols(n_directions), tuning)});
+    const auto [features_a, features_b] = features(all, start, tuning);
     const auto partners = [&](const PairedFunctionalMaps& functional, const PairedMaps& guess, int rings,
                               const ExtraCoordinates& extra) {
         return pinned(match_points_nearby(a, b, functional, guess, rings, extra, progress), pins);

@@ -13,8 +13,8 @@ namespace counterpart::spectral_match {
 /// another one that follows these as well), which is then refined freely; the best one by
 /// equation 7 takes the place of the map if that gains, and is varied likewise. Returns all maps that were
 /// taken, best first, `map` as the last; both maps pull in all of them. `map` must have its `refined_score`,
-/// and `maps` between the samples of `on_vertices`. Time: of two refinements for each matching; three rounds
-/// on 14 wrong pairs tried 3 to 25 matchings.
+/// and `maps` between the samples of `on_vertices`. Time: of two refinements for each matching, four with
+/// directions; three rounds on 14 wrong pairs tried 3 to 25 matchings.
 std::vector<Candidate> rematch_extremities(const Candidate& map, const SampledPair& all,
                                            const RematchingTuning& tuning, const RefinedScoreTuning& score,
                                            const RefinementTuning& refinement,

@@ -215,11 +215,13 @@ struct RefinementTuning {
     /// pairs with 30, 100, 200 and 400 and no other matching tried: 4.94, 4.79, 4.86, 5.05 (5.25 without).
     float guide_weight = 100;
     float guide_offset = 0.01F;  ///< no other was tried
-    /// Of the height along a common direction, 0 to 1, where a map follows directions. Of RematchingTuning's
-    /// pairs with "up" given, 60 or 120 instead of 0 in all guided refinements: 7.0 or 6.5 instead of 6.6;
-    /// each matching tried with 0 and with 120: 6.1. In every refinement of the rivals two are turned head to
+    /// Of the height along a common direction, from 0 to 1, where a map follows directions.
+    /// RematchingTuning's 14 pairs with "up" given, on coarse copies: 7.0 and 6.5 with 60 and 120 in all
+    /// guided refinements, 6.6 with 0, so that the gain is in trying both: each matching with 0 and with
+    /// 120, 6.1. No other was tried. 120 in the refinements of all rivals as well: 17, two are turned head to
     /// tail.
     float height_weight = 120;
+    double least_height = 0.01;  ///< of a shape: flatter ones have no up there, but rounding
     /// Where both maps pull in the fits: what the other one takes to a vertex, by so many times its area.
     /// From the first refinement on, the 14 pairs (IslandTuning) have 6.7, 6.6, 6.5 and 7.4 with 0, 1, 3
     /// and 10, but a right map of two others loses (RivalTuning::n_pull_rounds).

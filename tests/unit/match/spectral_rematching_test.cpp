@@ -86,6 +86,41 @@ TEST_F(SpectralRematching, WithoutRoundsNothingChanges) {
     EXPECT_EQ(found[0].on_vertices.b_from_a, start.on_vertices.b_from_a);
 }
 
+// The tip of a limb ends halfway down a longer one, and no extremities are near enough to be matched.
+TEST(SpectralRematchingOfLimbs, CommonDirectionsAreTriedAsWell) {
+    const TriangleMesh shorter = test::three_spikes(), longer = test::with_longer_spike(shorter);
+    const PreparationOptions options{.n_functions = 100, .n_samples = 300};
+    const PreparedShape a = prepare(shorter, options), b = prepare(longer, options);
+    const auto nearest = [](const Points& from, const Points& to) {
+        const numerics::NearestNeighbors search(to);
+        std::vector<Index> map;
+        for (Eigen::Index v = 0; v < from.rows(); ++v) map.push_back(search.closest(from.row(v)).index);
+        return map;
+    };
+    Eigen::Index tip = 0;
+    const double end = longer.vertices.col(0).maxCoeff(&tip);
+    const auto best = [&](const Priors& priors) {
+        const SampledPair pair(a, b, all_samples, CueTuning{}.radius, priors);
+        Candidate start;
+        start.on_vertices = {nearest(shorter.vertices, longer.vertices),
+                             nearest(longer.vertices, shorter.vertices)};
+        start.maps = between_samples(pair, start.on_vertices);
+        start.refined_score = refined_score(pair, start.on_vertices, {});
+        return rematch_extremities(start, pair, {.most_apart = 0}, {},
+                                   {.back_pull = 0, .n_continued_rounds = 8})
+            .front();
+    };
+    const auto image_of_tip = [&](const Candidate& map) {
+        return longer.vertices(map.on_vertices.b_from_a[at(tip)], 0);
+    };
+    Priors along_the_limb;
+    along_the_limb.directions_a = along_the_limb.directions_b = Eigen::Vector3d::UnitX();
+    const Candidate without = best({}), with = best(along_the_limb);
+    EXPECT_LT(image_of_tip(without), 0.8 * end);
+    EXPECT_GT(image_of_tip(with), 0.95 * end);
+    EXPECT_FALSE(with.follows_directions) << "in the end it is free";
+}
+
 TEST_F(SpectralRematching, ExchangingTheShapesExchangesTheMaps) {
     tuning.n_rounds = 1;
     const Candidate there = rematched(candidate({exchanged, identity})).front(),

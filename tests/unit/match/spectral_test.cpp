@@ -70,6 +70,7 @@ TEST(MatchSpectral, RefusesBadInput) {
     EXPECT_THROW(match_spectral(sphere, sphere, {.facing = {0, 0, 1}}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {.up = {0, 0, 1}, .facing = {0, 0, -2}}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {.up = {0, 0, NAN}}), InvalidInput);
+    EXPECT_THROW(match_spectral(sphere, sphere, {.aligned = true, .symmetric = true}), InvalidInput);
     EXPECT_THROW(match_spectral(sphere, sphere, {.n_alternatives = -1}), InvalidInput);
 }
 
