@@ -61,9 +61,9 @@ class SpectralShape {
 };
 
 struct SpectralOptions {
-    /// Known pairs (source vertex, target vertex), from 0; one on a limb that was taken for another one mends
-    /// the whole map. They hold exactly in target_from_source, and in source_from_target where no two have
-    /// the same target.
+    /// Known pairs (source vertex, target vertex), from 0; one on a limb that was taken for another one
+    /// mostly mends the whole map. They hold exactly in target_from_source, and in source_from_target where
+    /// no two have the same target.
     std::vector<std::pair<Index, Index>> landmarks{};
     bool soft_landmarks = false;  ///< landmarks guide the map, but need not hold exactly
     /// Pairs that do not correspond: maps that take the source vertex to within 0.15 sqrt(area) of the target
