@@ -20,10 +20,10 @@ struct Candidate {
     bool was_tried = false;      // refined briefly in stage 4: only such can win
     bool was_rematched = false;  // found by another matching of extremities
     // In refinement:
-    bool both_pull = false;           // the other map pulls at the surface as well
-    bool follows_landmarks = true;    // what surrounds landmarks follows them
-    bool follows_directions = false;  // heights along common directions agree
-    ExtremityPairs guides;            // what is between them follows them
+    bool both_pull = false;         // the other map pulls at the surface as well
+    bool follows_landmarks = true;  // what surrounds landmarks follows them
+    bool follows_priors = false;    // landmarks are guides too, heights along common directions agree
+    ExtremityPairs guides;          // what is between them follows them
 };
 
 /// Between the samples nearest to vertices and to their images.

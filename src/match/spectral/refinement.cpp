@@ -48,15 +48,19 @@ MatrixF nearness(const PreparedShape& shape, std::span<const PriorPair> landmark
     return all;
 }
 
+// Distances from the guides, one in a row: extremities, and landmarks likewise.
+MatrixF distances_from_guides(const PreparedShape& shape, const std::vector<int>& extremities,
+                              std::span<const PriorPair> landmarks, VectorF PriorPair::*distances) {
+    MatrixF all(static_cast<Eigen::Index>(extremities.size() + landmarks.size()), shape.mesh.n_vertices());
+    Eigen::Index row = 0;
+    for (const int extremity : extremities) all.row(row++) = shape.extremity_distances.row(extremity);
+    for (const PriorPair& landmark : landmarks) all.row(row++) = (landmark.*distances).transpose();
+    return all;
+}
+
 // A vertex's shares of nearness to the guides: halfway down a short leg is halfway down a long one.
-MatrixF shares_of_nearness(const PreparedShape& shape, const std::vector<int>& guides,
-                           const RefinementTuning& tuning) {
-    MatrixF all(shape.mesh.n_vertices(), static_cast<Eigen::Index>(guides.size()));
-    for (std::size_t i = 0; i < guides.size(); ++i)
-        all.col(static_cast<Eigen::Index>(i)) =
-            (shape.extremity_distances.row(guides[i]).transpose().array() + tuning.guide_offset)
-                .square()
-                .inverse();
+MatrixF shares_of_nearness(const MatrixF& distances, const RefinementTuning& tuning) {
+    const MatrixF all = (distances.transpose().array() + tuning.guide_offset).square().inverse();
     const VectorF sums = all.rowwise().sum();
     return tuning.guide_weight * sums.cwiseInverse().asDiagonal() * all;
 }
@@ -89,23 +93,25 @@ MatrixF side_by_side(std::initializer_list<MatrixF> parts) {
 // What is compared in all rounds, of A and of B.
 std::pair<MatrixF, MatrixF> features(const SampledPair& all, const Candidate& start,
                                      const RefinementTuning& tuning) {
+    const PreparedShape &a = all.a, &b = all.b;
     const Priors& priors = all.priors;
-    const std::span<const PriorPair> landmarks =
-        start.follows_landmarks ? std::span<const PriorPair>(priors.landmarks) : std::span<const PriorPair>();
-    const Eigen::Index n_directions = start.follows_directions ? priors.directions_a.cols() : 0;
+    const std::span<const PriorPair> landmarks(priors.landmarks), none;
+    const auto followed = start.follows_landmarks ? landmarks : none,
+               guiding = start.follows_priors ? landmarks : none;
+    const Eigen::Index n_directions = start.follows_priors ? priors.directions_a.cols() : 0;
     std::vector<int> guides_a, guides_b;
     for (const auto& [i, j] : start.guides) {
         guides_a.push_back(i);
         guides_b.push_back(j);
     }
-    return {side_by_side({intrinsic_features(all.a, tuning),
-                          nearness(all.a, landmarks, &PriorPair::from_a, tuning),
-                          shares_of_nearness(all.a, guides_a, tuning),
-                          heights(all.a, priors.directions_a.leftCols(n_directions), tuning)}),
-            side_by_side({intrinsic_features(all.b, tuning),
-                          nearness(all.b, landmarks, &PriorPair::from_b, tuning),
-                          shares_of_nearness(all.b, guides_b, tuning),
-                          heights(all.b, priors.directions_b.leftCols(n_directions), tuning)})};
+    return {side_by_side(
+                {intrinsic_features(a, tuning), nearness(a, followed, &PriorPair::from_a, tuning),
+                 shares_of_nearness(distances_from_guides(a, guides_a, guiding, &PriorPair::from_a), tuning),
+                 heights(a, priors.directions_a.leftCols(n_directions), tuning)}),
+            side_by_side(
+                {intrinsic_features(b, tuning), nearness(b, followed, &PriorPair::from_b, tuning),
+                 shares_of_nearness(distances_from_guides(b, guides_b, guiding, &PriorPair::from_b), tuning),
+                 heights(b, priors.directions_b.leftCols(n_directions), tuning)})};
 }
 
 // Positions and normals, weighted.

@@ -82,7 +82,7 @@ std::vector<ExtremityPairs> variations(const std::vector<Closeness>& close, doub
 // One refinement to be tried.
 struct Trial {
     ExtremityPairs guides;
-    bool follows_directions;
+    bool follows_priors;
 };
 
 // Held by the guides, then free.
@@ -91,7 +91,7 @@ Candidate refined_with(const Trial& trial, Candidate map, const SampledPair& all
                        const ProgressRange& progress) {
     for (const bool is_held : {true, false}) {
         map.guides = is_held ? trial.guides : ExtremityPairs();
-        map.follows_directions = is_held && trial.follows_directions;
+        map.follows_priors = is_held && trial.follows_priors;
         map.on_vertices = refine(all, map, refinement, progress);
         map.maps = between_samples(all, map.on_vertices);
     }
@@ -109,7 +109,7 @@ std::vector<Candidate> rematch_extremities(const Candidate& map, const SampledPa
     std::vector<Candidate> taken{map};
     taken.back().both_pull = true;
     std::set<ExtremityPairs> tried;
-    const bool has_directions = all.priors.directions_a.cols() > 0;
+    const bool has_priors = !all.priors.landmarks.empty() || all.priors.directions_a.cols() > 0;
     for (int round = 0; round < tuning.n_rounds; ++round) {
         progress.reach(static_cast<double>(round) / tuning.n_rounds);
         const Candidate& best = taken.back();
@@ -117,7 +117,7 @@ std::vector<Candidate> rematch_extremities(const Candidate& map, const SampledPa
         for (ExtremityPairs& matching :
              variations(close_pairs(all, best.on_vertices, tuning.most_apart), tuning.settled)) {
             if (!tried.insert(matching).second) continue;
-            if (has_directions) trials.push_back({matching, true});
+            if (has_priors) trials.push_back({matching, true});
             trials.push_back({std::move(matching), false});
         }
         std::vector<Candidate> found(trials.size());

@@ -158,6 +158,18 @@ struct SpectralShorterLimb : testing::Test {
         const PairedMaps maps = refine({a, target, all_samples, 0, priors}, start, {.n_continued_rounds = 8});
         return longer.vertices(maps.b_from_a[at(tip)], 0);
     }
+
+    void follow_extremities() {
+        const auto tips = [](const PreparedShape& shape) {
+            std::vector<Index> vertices;
+            for (const geodesic::Extremity& extremity : shape.extremities)
+                vertices.push_back(extremity.vertex);
+            return Points(shape.mesh.vertices(vertices, Eigen::all));
+        };
+        const std::vector<Index> partners = nearest(tips(a), tips(b));
+        for (std::size_t i = 0; i < partners.size(); ++i)
+            start.guides.emplace_back(static_cast<int>(i), static_cast<int>(partners[i]));
+    }
 };
 
 // The rest of the longer one, which no image covers, pulls it on.
@@ -168,22 +180,31 @@ TEST_F(SpectralShorterLimb, WhatNoImageCoversPulls) {
 }
 
 TEST_F(SpectralShorterLimb, GuidesAreFollowed) {
-    const auto tips = [](const PreparedShape& shape) {
-        std::vector<Index> vertices;
-        for (const geodesic::Extremity& extremity : shape.extremities) vertices.push_back(extremity.vertex);
-        return Points(shape.mesh.vertices(vertices, Eigen::all));
-    };
     ASSERT_GE(a.extremities.size(), 3U);
-    const std::vector<Index> partners = nearest(tips(a), tips(b));
-    for (std::size_t i = 0; i < partners.size(); ++i)
-        start.guides.emplace_back(static_cast<int>(i), static_cast<int>(partners[i]));
+    follow_extremities();
     EXPECT_GT(image_of_tip(b), 0.98 * end);
+}
+
+TEST_F(SpectralShorterLimb, LandmarksAreGuidesToo) {
+    const Points halfway = longer.vertices.row(tip) - 1.5 * Points(Eigen::RowVector3d::UnitX());
+    const Index image = nearest(halfway, longer.vertices)[0];
+    follow_extremities();
+    std::erase_if(start.guides, [&](const std::pair<int, int>& pair) {
+        return a.mesh.vertices(a.extremities[at(pair.first)].vertex, 0) > 1;
+    });
+    ASSERT_FALSE(start.guides.empty());
+    priors = make_priors(a, b, VertexPairs{{static_cast<Index>(tip), image}}, {});
+    priors.pinned = false;
+    start.follows_landmarks = false;
+    EXPECT_GT(image_of_tip(b), 0.98 * end);
+    start.follows_priors = true;
+    EXPECT_NEAR(image_of_tip(b), longer.vertices(image, 0), 0.5);
 }
 
 TEST_F(SpectralShorterLimb, HeightsAreFollowed) {
     priors.directions_a = priors.directions_b = Eigen::Vector3d::UnitX();
     EXPECT_LT(image_of_tip(b), 0.8 * end);
-    start.follows_directions = true;
+    start.follows_priors = true;
     EXPECT_GT(image_of_tip(b), 0.98 * end);
     priors = with_mirrored_b(priors);
     EXPECT_GT(image_of_tip(mirrored(b)), 0.98 * end);

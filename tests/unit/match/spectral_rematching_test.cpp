@@ -118,7 +118,7 @@ TEST(SpectralRematchingOfLimbs, CommonDirectionsAreTriedAsWell) {
     const Candidate without = best({}), with = best(along_the_limb);
     EXPECT_LT(image_of_tip(without), 0.8 * end);
     EXPECT_GT(image_of_tip(with), 0.95 * end);
-    EXPECT_FALSE(with.follows_directions) << "in the end it is free";
+    EXPECT_FALSE(with.follows_priors) << "in the end it is free";
 }
 
 TEST_F(SpectralRematching, ExchangingTheShapesExchangesTheMaps) {
