@@ -55,9 +55,8 @@ void require_valid(const SpectralOptions& options, std::size_t n_source, std::si
         throw InvalidInput("the directions up and facing must be finite");
     if (options.aligned && options.symmetric)
         throw InvalidInput(
-            "aligned says that left stays left, symmetric exchanges left and right: give up and facing "
-            "instead "
-            "of aligned");
+            "aligned says that left stays left, symmetric exchanges left and right: "
+            "give up and facing instead of aligned");
     const bool has_up = !options.up.isZero(0), has_facing = !options.facing.isZero(0);
     if (has_facing && !has_up) throw InvalidInput("the direction facing needs the direction up");
     if (has_facing && options.up.normalized().cross(options.facing.normalized()).norm() < 0.1)

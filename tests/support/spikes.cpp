@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/spikes.hpp"
 
+#include "numerics/nearest_neighbors.hpp"
+
 #include <counterpart/mesh/shapes.hpp>
 
 #include <cmath>
@@ -23,6 +25,13 @@ TriangleMesh with_longer_spike(TriangleMesh spikes) {
     for (Index v = 0; v < spikes.n_vertices(); ++v)
         if (spikes.vertices(v, 0) > 1) spikes.vertices(v, 0) = 1 + 2 * (spikes.vertices(v, 0) - 1);
     return spikes;
+}
+
+std::vector<Index> nearest_vertices(const Points& from, const Points& to) {
+    const numerics::NearestNeighbors search(to);
+    std::vector<Index> result;
+    for (Eigen::Index v = 0; v < from.rows(); ++v) result.push_back(search.closest(from.row(v)).index);
+    return result;
 }
 
 TriangleMesh horseshoe(int n_subdivisions) {

@@ -7,6 +7,7 @@
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace counterpart::test {
 
@@ -15,6 +16,9 @@ TriangleMesh three_spikes(int n_subdivisions = 4);
 
 /// That body, vertex by vertex, with the spike along +x twice as long: to 5 instead of 3.
 TriangleMesh with_longer_spike(TriangleMesh spikes);
+/// To which vertex of the one each vertex of the other is nearest in space: tips end halfway down longer
+/// spikes.
+std::vector<Index> nearest_vertices(const Points& from, const Points& to);
 
 /// A tube of radius up to 0.25 bent around the z axis at distance 1, almost to a ring: its two ends, at -x,
 /// face each other 0.04 apart.

@@ -22,7 +22,7 @@ struct Candidate {
     // In refinement:
     bool both_pull = false;         // the other map pulls at the surface as well
     bool follows_landmarks = true;  // what surrounds landmarks follows them
-    bool follows_priors = false;    // landmarks are guides too, heights along common directions agree
+    bool guided_by_priors = false;  // landmarks are guides too, heights along common directions agree
     ExtremityPairs guides;          // what is between them follows them
 };
 

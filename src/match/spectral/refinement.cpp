@@ -97,8 +97,8 @@ std::pair<MatrixF, MatrixF> features(const SampledPair& all, const Candidate& st
     const Priors& priors = all.priors;
     const std::span<const PriorPair> landmarks(priors.landmarks), none;
     const auto followed = start.follows_landmarks ? landmarks : none,
-               guiding = start.follows_priors ? landmarks : none;
-    const Eigen::Index n_directions = start.follows_priors ? priors.directions_a.cols() : 0;
+               guiding = start.guided_by_priors ? landmarks : none;
+    const Eigen::Index n_directions = start.guided_by_priors ? priors.directions_a.cols() : 0;
     std::vector<int> guides_a, guides_b;
     for (const auto& [i, j] : start.guides) {
         guides_a.push_back(i);

@@ -82,7 +82,7 @@ std::vector<ExtremityPairs> variations(const std::vector<Closeness>& close, doub
 // One refinement to be tried.
 struct Trial {
     ExtremityPairs guides;
-    bool follows_priors;
+    bool guided_by_priors;
 };
 
 // Held by the guides, then free.
@@ -91,7 +91,7 @@ Candidate refined_with(const Trial& trial, Candidate map, const SampledPair& all
                        const ProgressRange& progress) {
     for (const bool is_held : {true, false}) {
         map.guides = is_held ? trial.guides : ExtremityPairs();
-        map.follows_priors = is_held && trial.follows_priors;
+        map.guided_by_priors = is_held && trial.guided_by_priors;
         map.on_vertices = refine(all, map, refinement, progress);
         map.maps = between_samples(all, map.on_vertices);
     }

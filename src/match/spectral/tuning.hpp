@@ -215,7 +215,7 @@ struct RefinementTuning {
     /// pairs with 30, 100, 200 and 400 and no other matching tried: 4.94, 4.79, 4.86, 5.05 (5.25 without).
     float guide_weight = 100;
     float guide_offset = 0.01F;  ///< no other was tried
-    /// Of the height along a common direction, from 0 to 1, where a map follows priors.
+    /// Of the height along a common direction, from 0 to 1, where priors guide a map.
     /// RematchingTuning's 14 pairs with "up" given, on coarse copies: 7.0 and 6.5 with 60 and 120 in all
     /// guided refinements, 6.6 with 0, so that the gain is in trying both: each matching with 0 and with
     /// 120, 6.1. No other was tried. 120 in the refinements of all rivals as well: 17, two are turned head to

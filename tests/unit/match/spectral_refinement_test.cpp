@@ -3,7 +3,6 @@
 #include "match/spectral/elastic_fit.hpp"
 #include "match/spectral/refinement.hpp"
 #include "match/spectral/restricted_nearest.hpp"
-#include "numerics/nearest_neighbors.hpp"
 #include "support/spikes.hpp"
 
 #include <counterpart/mesh/shapes.hpp>
@@ -143,15 +142,8 @@ struct SpectralShorterLimb : testing::Test {
     const double end = longer.vertices.col(0).maxCoeff(&tip);
 
     SpectralShorterLimb() {
-        start.on_vertices = {nearest(shorter.vertices, longer.vertices),
-                             nearest(longer.vertices, shorter.vertices)};
-    }
-
-    static std::vector<Index> nearest(const Points& from, const Points& to) {
-        const numerics::NearestNeighbors search(to);
-        std::vector<Index> map;
-        for (Eigen::Index v = 0; v < from.rows(); ++v) map.push_back(search.closest(from.row(v)).index);
-        return map;
+        start.on_vertices = {test::nearest_vertices(shorter.vertices, longer.vertices),
+                             test::nearest_vertices(longer.vertices, shorter.vertices)};
     }
 
     double image_of_tip(const PreparedShape& target) const {
@@ -166,7 +158,7 @@ struct SpectralShorterLimb : testing::Test {
                 vertices.push_back(extremity.vertex);
             return Points(shape.mesh.vertices(vertices, Eigen::all));
         };
-        const std::vector<Index> partners = nearest(tips(a), tips(b));
+        const std::vector<Index> partners = test::nearest_vertices(tips(a), tips(b));
         for (std::size_t i = 0; i < partners.size(); ++i)
             start.guides.emplace_back(static_cast<int>(i), static_cast<int>(partners[i]));
     }
@@ -187,7 +179,7 @@ TEST_F(SpectralShorterLimb, GuidesAreFollowed) {
 
 TEST_F(SpectralShorterLimb, LandmarksAreGuidesToo) {
     const Points halfway = longer.vertices.row(tip) - 1.5 * Points(Eigen::RowVector3d::UnitX());
-    const Index image = nearest(halfway, longer.vertices)[0];
+    const Index image = test::nearest_vertices(halfway, longer.vertices)[0];
     follow_extremities();
     std::erase_if(start.guides, [&](const std::pair<int, int>& pair) {
         return a.mesh.vertices(a.extremities[at(pair.first)].vertex, 0) > 1;
@@ -197,14 +189,14 @@ TEST_F(SpectralShorterLimb, LandmarksAreGuidesToo) {
     priors.pinned = false;
     start.follows_landmarks = false;
     EXPECT_GT(image_of_tip(b), 0.98 * end);
-    start.follows_priors = true;
+    start.guided_by_priors = true;
     EXPECT_NEAR(image_of_tip(b), longer.vertices(image, 0), 0.5);
 }
 
 TEST_F(SpectralShorterLimb, HeightsAreFollowed) {
     priors.directions_a = priors.directions_b = Eigen::Vector3d::UnitX();
     EXPECT_LT(image_of_tip(b), 0.8 * end);
-    start.follows_priors = true;
+    start.guided_by_priors = true;
     EXPECT_GT(image_of_tip(b), 0.98 * end);
     priors = with_mirrored_b(priors);
     EXPECT_GT(image_of_tip(mirrored(b)), 0.98 * end);

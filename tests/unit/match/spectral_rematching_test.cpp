@@ -87,23 +87,19 @@ TEST_F(SpectralRematching, WithoutRoundsNothingChanges) {
 }
 
 // The tip of a limb ends halfway down a longer one, and no extremities are near enough to be matched.
-TEST(SpectralRematchingOfLimbs, CommonDirectionsAreTriedAsWell) {
+TEST(SpectralRematchingOfLimbs, LandmarksAndDirectionsGuideAsWell) {
     const TriangleMesh shorter = test::three_spikes(), longer = test::with_longer_spike(shorter);
     const PreparationOptions options{.n_functions = 100, .n_samples = 300};
     const PreparedShape a = prepare(shorter, options), b = prepare(longer, options);
-    const auto nearest = [](const Points& from, const Points& to) {
-        const numerics::NearestNeighbors search(to);
-        std::vector<Index> map;
-        for (Eigen::Index v = 0; v < from.rows(); ++v) map.push_back(search.closest(from.row(v)).index);
-        return map;
-    };
-    Eigen::Index tip = 0;
+    Eigen::Index tip = 0, bottom = 0;
     const double end = longer.vertices.col(0).maxCoeff(&tip);
+    longer.vertices.col(0).minCoeff(&bottom);
     const auto best = [&](const Priors& priors) {
         const SampledPair pair(a, b, all_samples, CueTuning{}.radius, priors);
         Candidate start;
-        start.on_vertices = {nearest(shorter.vertices, longer.vertices),
-                             nearest(longer.vertices, shorter.vertices)};
+        start.follows_landmarks = false;
+        start.on_vertices = {test::nearest_vertices(shorter.vertices, longer.vertices),
+                             test::nearest_vertices(longer.vertices, shorter.vertices)};
         start.maps = between_samples(pair, start.on_vertices);
         start.refined_score = refined_score(pair, start.on_vertices, {});
         return rematch_extremities(start, pair, {.most_apart = 0}, {},
@@ -113,12 +109,18 @@ TEST(SpectralRematchingOfLimbs, CommonDirectionsAreTriedAsWell) {
     const auto image_of_tip = [&](const Candidate& map) {
         return longer.vertices(map.on_vertices.b_from_a[at(tip)], 0);
     };
-    Priors along_the_limb;
+    EXPECT_LT(image_of_tip(best({})), 0.8 * end) << "or this proves nothing";
+    VertexPairs both_ends;
+    for (const Eigen::Index v : {tip, bottom})
+        both_ends.emplace_back(static_cast<Index>(v), static_cast<Index>(v));
+    Priors along_the_limb, at_both_ends = make_priors(a, b, both_ends, {});
     along_the_limb.directions_a = along_the_limb.directions_b = Eigen::Vector3d::UnitX();
-    const Candidate without = best({}), with = best(along_the_limb);
-    EXPECT_LT(image_of_tip(without), 0.8 * end);
-    EXPECT_GT(image_of_tip(with), 0.95 * end);
-    EXPECT_FALSE(with.follows_priors) << "in the end it is free";
+    at_both_ends.pinned = false;
+    for (const Priors* priors : {&along_the_limb, &at_both_ends}) {
+        const Candidate found = best(*priors);
+        EXPECT_GT(image_of_tip(found), 0.95 * end);
+        EXPECT_FALSE(found.guided_by_priors) << "in the end it is free";
+    }
 }
 
 TEST_F(SpectralRematching, ExchangingTheShapesExchangesTheMaps) {

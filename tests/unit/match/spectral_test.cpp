@@ -261,6 +261,11 @@ TEST(MatchSpectral, WhatIsUpIsUpInMirrorImagesToo) {
     const SpectralResult result = match_spectral(source, target, options, small);
     options.up = Eigen::Vector3d::UnitX();
     EXPECT_EQ(match_spectral(source, target, options, small).score, result.score);
+    options.symmetric = false;
+    target.triangles.col(1).swap(target.triangles.col(2));  // inside out: both readings are searched
+    const SpectralResult found = match_spectral(source, target, options, small);
+    EXPECT_NE(all_of(found.warnings).find("mirror image"), std::string::npos);
+    EXPECT_LT(mean_error(found.target_from_source, identity_map(source.n_vertices()), target), 2.0);
 }
 
 TEST(MatchSpectral, PlanesAreSaidToBeFlat) {
