@@ -259,7 +259,7 @@ std::pair<double, double> run(const Known& source, const Known& target, const Va
     });
     const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius);
     take(4, shared.final_choice, [&] {
-        if (now.is_unlike)
+        if (now.is_unlike)  // one way only
             now.maps = search_unlike(std::move(now.maps), {}, all, 1, tuning);
         else
             choose_best(now.maps, all, tuning.final_choice);

@@ -3,8 +3,20 @@
 #include "match/spectral/candidate.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpart::spectral_match {
+
+PairedMaps reversed(PairedMaps maps) { return {std::move(maps.a_from_b), std::move(maps.b_from_a)}; }
+
+Candidate reversed(Candidate map) {
+    map.maps = reversed(std::move(map.maps));
+    map.on_vertices = reversed(std::move(map.on_vertices));
+    std::swap(map.functional.a_from_b, map.functional.b_from_a);
+    for (auto& [i, j] : map.guides) std::swap(i, j);
+    std::sort(map.guides.begin(), map.guides.end());
+    return map;
+}
 
 PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices) {
     const auto between = [](const PreparedShape& from, const PreparedShape& to,

@@ -26,6 +26,10 @@ struct Candidate {
     ExtremityPairs guides;          // what is between them follows them
 };
 
+/// The same with A and B exchanged.
+PairedMaps reversed(PairedMaps maps);
+Candidate reversed(Candidate map);
+
 /// Between the samples nearest to vertices and to their images.
 PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices);
 

@@ -74,18 +74,15 @@ std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const Sa
         candidate.maps = between_samples(all, candidate.on_vertices);
         candidate.refined_score = refined_score(all, candidate.on_vertices, tuning.unlike.rivals.score);
     });
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
-        return x.refined_score > y.refined_score;
-    });
-    candidates.resize(std::min(candidates.size(), std::max(count, tuning.unlike.rivals.n_refined)));
-    if (candidates.empty()) return {};
+    for (Candidate& candidate : candidates) candidate.scores.total = candidate.refined_score;
+    // Many have become one map, which would be refined again and again.
+    const RivalTuning& rivals = tuning.unlike.rivals;
+    keep_distinct(candidates, MapDistance(all), rivals.distinct, std::max(count, rivals.n_refined));
+    for (Candidate& candidate : candidates) measure(candidate, all, tuning);
     // The first is as good as its score says, the others worse by as much as they are by equation 7.
-    const Candidate& best = candidates.front();
-    measure(candidates.front(), all, tuning);
-    for (std::size_t i = 1; i < candidates.size(); ++i) {
-        measure(candidates[i], all, tuning);
-        candidates[i].scores.total = best.scores.total - (best.refined_score - candidates[i].refined_score);
-    }
+    for (Candidate& candidate : candidates)
+        candidate.scores.total =
+            candidates.front().scores.total - (candidates.front().refined_score - candidate.refined_score);
     return candidates;
 }
 

@@ -15,8 +15,8 @@ void choose_best(std::vector<Candidate>& finalists, const SampledPair& all, cons
                  const ProgressRange& progress = {});
 
 /// Of unlike shapes, which have no stage 3: candidates (best first) are refined briefly as they are, and the
-/// best by equation 7 come first, at least `count` of them if there are as many. `scores` are of the maps
-/// refined.
+/// best distinct ones by equation 7 come first, at least `count` of them if there are as many. `scores` are
+/// of the maps refined.
 std::vector<Candidate> choose_unlike(std::vector<Candidate> candidates, const SampledPair& all,
                                      std::size_t count, const SpectralTuning& tuning,
                                      const ProgressRange& progress = {});

@@ -73,15 +73,15 @@ double image_distance(const PreparedShape& a, const PreparedShape& b, const Prio
            2;
 }
 
-// Mean over the common directions of what the correlation of the coordinates along it lacks.
-double missing_agreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
-                         const std::vector<Index>& b_from_a) {
-    const auto n = static_cast<Eigen::Index>(b_from_a.size());
-    Eigen::MatrixXd x(n, priors.directions_a.cols()), y = x;
+// One way, the mean over the common directions of what the correlation of the coordinates along it lacks.
+double missing_agreement(const PreparedShape& from, const Eigen::Matrix3Xd& directions,
+                         const PreparedShape& to, const Eigen::Matrix3Xd& directions_there,
+                         const std::vector<Index>& map, double enough_correlation) {
+    const auto n = static_cast<Eigen::Index>(map.size());
+    Eigen::MatrixXd x(n, directions.cols()), y = x;
     for (Eigen::Index s = 0; s < n; ++s) {
-        const auto i = static_cast<std::size_t>(s);
-        x.row(s) = a.mesh.vertices.row(a.samples[i]) * priors.directions_a;
-        y.row(s) = b.mesh.vertices.row(b.samples[at(b_from_a[i])]) * priors.directions_b;
+        x.row(s) = from.mesh.vertices.row(from.samples[at(s)]) * directions;
+        y.row(s) = to.mesh.vertices.row(to.samples[at(map[at(s)])]) * directions_there;
     }
     x.rowwise() -= x.colwise().mean().eval();
     y.rowwise() -= y.colwise().mean().eval();
@@ -89,7 +89,7 @@ double missing_agreement(const PreparedShape& a, const PreparedShape& b, const P
     for (Eigen::Index d = 0; d < x.cols(); ++d) {
         const double correlation =
             x.col(d).dot(y.col(d)) / std::max(x.col(d).norm() * y.col(d).norm(), 1e-12);
-        sum += std::max(0.0, priors.tuning.enough_correlation - correlation);
+        sum += std::max(0.0, enough_correlation - correlation);
     }
     return sum / static_cast<double>(x.cols());
 }
@@ -122,6 +122,17 @@ Priors with_mirrored_b(Priors priors) {
     return priors;
 }
 
+Priors reversed(Priors priors) {
+    for (std::vector<PriorPair>* pairs : {&priors.landmarks, &priors.excluded}) {
+        for (PriorPair& pair : *pairs) {
+            std::swap(pair.a, pair.b);
+            std::swap(pair.from_a, pair.from_b);
+        }
+    }
+    std::swap(priors.directions_a, priors.directions_b);
+    return priors;
+}
+
 double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
                     const PairedMaps& maps) {
     const PriorTuning& tuning = priors.tuning;
@@ -133,7 +144,11 @@ double disagreement(const PreparedShape& a, const PreparedShape& b, const Priors
         result += tuning.excluded_weight *
                   std::max(0.0, tuning.excluded_radius - image_distance(a, b, pair, maps, 0));
     if (priors.directions_a.cols() > 0)
-        result += tuning.direction_weight * missing_agreement(a, b, priors, maps.b_from_a);
+        result += tuning.direction_weight / 2 *
+                  (missing_agreement(a, priors.directions_a, b, priors.directions_b, maps.b_from_a,
+                                     tuning.enough_correlation) +
+                   missing_agreement(b, priors.directions_b, a, priors.directions_a, maps.a_from_b,
+                                     tuning.enough_correlation));
     return result;
 }
 

@@ -48,6 +48,9 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const Spectra
 /// The same for A and `mirrored` B.
 Priors with_mirrored_b(Priors priors);
 
+/// The same with A and B exchanged.
+Priors reversed(Priors priors);
+
 /// To be taken off the score of maps between the first samples: distances between landmarks and the images of
 /// what surrounds them, excluded pairs that are near each other under the map, coordinates along common
 /// directions that are not even roughly in the same order.

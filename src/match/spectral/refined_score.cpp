@@ -8,8 +8,6 @@
 namespace counterpart::spectral_match {
 namespace {
 
-PairedMaps reversed(const PairedMaps& maps) { return {maps.a_from_b, maps.b_from_a}; }
-
 // Mean over both shapes of how far vertices end from where they began, and tears.
 double damage(const SampledPair& all, const PairedMaps& maps, double most) {
     return (round_trips_and_tears(all.a, all.b, maps).cwiseMin(most).mean() +

@@ -257,9 +257,7 @@ PairedMaps refine(const SampledPair& all, const Candidate& start, const Refineme
             parallel_invoke([&] { bent_a.put_back_islands(maps.b_from_a, length, progress); },
                             [&] { bent_b.put_back_islands(maps.a_from_b, length, progress); });
         parallel_invoke([&] { bent_a.bend(maps, back_pull, length, progress); },
-                        [&] {
-                            bent_b.bend({maps.a_from_b, maps.b_from_a}, back_pull, length, progress);
-                        });
+                        [&] { bent_b.bend(reversed(maps), back_pull, length, progress); });
         maps =
             partners(fit_functional_maps(a.all, b.all, maps, k, tuning.masked, checking), maps, tuning.rings,
                      {side_by_side({features_a, bent_a.placement(), own_a}),

@@ -9,21 +9,55 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace counterpart::spectral_match {
 namespace {
 
-// The best map of unlike shapes that is found without landmarks.
-Candidate find_unguided(const PreparedShape& a, const PreparedShape& b, Priors priors,
+// Unlike shapes, from the first candidates on. `all` as of the final choice.
+std::vector<Candidate> search_anew(const SampledPair& all, std::size_t count, const SpectralTuning& tuning,
+                                   const ProgressRange& progress) {
+    const CandidateTuning& candidates = tuning.candidates;
+    const SampledPair coarse(all.a, all.b, candidates.n_samples, candidates.rigidity_radius, all.priors);
+    return search_unlike(vary_candidates(coarse, start_candidates(coarse, candidates, progress.part(0, 0.1)),
+                                         candidates, progress.part(0.1, 0.3)),
+                         {}, all, count, tuning, progress.part(0.3, 1));
+}
+
+void add_to_scores(std::vector<Candidate>& maps, double difference) {
+    for (Candidate& map : maps) map.scores.total += difference;
+}
+
+// Which map is found depends on chance where shapes are very unlike. Where it fits badly, maps are sought
+// from B to A as well. The better best one by equation 7 keeps its score, the other is worse by as much as
+// that says, so that exchanging A and B changes nothing.
+void add_reverse_search(std::vector<Candidate>& finalists, const SampledPair& all, std::size_t count,
                         const SpectralTuning& tuning, const ProgressRange& progress) {
+    if (!finalists.empty() && finalists.front().refined_score < tuning.unlike.doubtful_score) {
+        const Priors priors = reversed(all.priors);
+        std::vector<Candidate> others = search_anew(
+            {all.b, all.a, all_samples, tuning.final_choice.cues.radius, priors}, count, tuning, progress);
+        const Candidate &best = finalists.front(), &other = others.front();
+        const double gain = other.refined_score - best.refined_score,
+                     difference = other.scores.total - best.scores.total;
+        if (gain > 0)
+            add_to_scores(finalists, difference - gain);
+        else
+            add_to_scores(others, gain - difference);
+        for (Candidate& map : others) finalists.push_back(reversed(std::move(map)));
+        keep_distinct(finalists, MapDistance(all), tuning.unlike.rivals.distinct, finalists.size());
+    }
+    progress.reach(1);
+}
+
+// The best map of unlike shapes that is found without landmarks.
+Candidate find_unguided(const SampledPair& all, const SpectralTuning& tuning, const ProgressRange& progress) {
+    Priors priors = all.priors;
     priors.landmarks.clear();
-    const SampledPair coarse(a, b, tuning.candidates.n_samples, tuning.candidates.rigidity_radius, priors);
-    const SampledPair all(a, b, all_samples, tuning.final_choice.cues.radius, priors);
-    return search_unlike(
-               vary_candidates(coarse, start_candidates(coarse, tuning.candidates, progress.part(0, 0.1)),
-                               tuning.candidates, progress.part(0.1, 0.3)),
-               {}, all, 1, tuning, progress.part(0.3, 1))
-        .front();
+    const SampledPair unguided(all.a, all.b, all_samples, tuning.final_choice.cues.radius, priors);
+    std::vector<Candidate> found = search_anew(unguided, 1, tuning, progress.part(0, 0.5));
+    add_reverse_search(found, unguided, 1, tuning, progress.part(0.5, 1));
+    return found.front();
 }
 
 }  // namespace
@@ -59,9 +93,10 @@ Search search(const PreparedShape& a, const PreparedShape& b, const Priors& prio
         std::optional<Candidate> unguided;
         const std::size_t n_pins = priors.pins().size();
         if (n_pins > 0 && n_pins <= tuning.unlike.max_unguided_pins)
-            unguided = find_unguided(a, b, priors, tuning, progress.part(0.4, 0.7));
+            unguided = find_unguided(found.all, tuning, progress.part(0.4, 0.7));
         finalists = search_unlike(std::move(candidates), unguided, found.all, n_asked, tuning,
-                                  progress.part(unguided ? 0.7 : 0.4, 1));
+                                  unguided ? progress.part(0.7, 1) : progress.part(0.4, 0.7));
+        if (!unguided) add_reverse_search(finalists, found.all, n_asked, tuning, progress.part(0.7, 1));
         found.rivals.n_refined = 1;
         found.rivals.n_pull_rounds = tuning.unlike.rivals.n_pull_rounds;
         if (!finalists.empty() && finalists.front().was_rematched)

@@ -114,6 +114,9 @@ TEST_F(SpectralFinalChoice, OfUnlikeShapesTheBestByEquation7ComeFirst) {
                 refined_score(pair, both[0].on_vertices, {}) - refined_score(pair, both[1].on_vertices, {}),
                 1e-12);
     EXPECT_TRUE(choose_unlike({}, pair, 1, tuning).empty());
+    EXPECT_EQ(choose_unlike({right, right, wrong}, pair, 2, tuning).back().on_vertices.b_from_a,
+              both[1].on_vertices.b_from_a)
+        << "the same map does not count twice";
     // What scores much less than the best candidate is not tried.
     right.scores.total = wrong.scores.total - 1.01 * tuning.unlike.close_candidate;
     EXPECT_EQ(choose_unlike({wrong, right}, pair, 2, tuning).size(), 2U) << "unless it is asked for";

@@ -60,6 +60,22 @@ TEST(SpectralPriors, WhatIsUpInBIsSoInItsMirrorImage) {
     EXPECT_EQ(disagreement(shape, image, with_mirrored_b(priors), {identity, identity}), 0);
 }
 
+TEST(SpectralPriors, SayTheSameFromBToA) {
+    const PreparedShape a = spikes_turned_by(0), b = spikes_turned_by(2);
+    const Index tip = a.samples.front(), end = b.samples.back();
+    Priors priors = make_priors(a, b, VertexPairs{{tip, end}}, VertexPairs{{end, tip}});
+    priors.directions_a = Eigen::Vector3d::UnitX();
+    priors.directions_b = Eigen::Vector3d::UnitY();
+    priors.tuning.excluded_radius = 2;
+    EXPECT_EQ(reversed(priors).pins(), (VertexPairs{{end, tip}}));
+    std::vector<Index> there(a.samples.size()), back(b.samples.size());
+    std::iota(there.begin(), there.end(), 0);
+    std::reverse_copy(there.begin(), there.end(), back.begin());
+    const double stated = disagreement(a, b, priors, {there, back});
+    EXPECT_GT(stated, 10) << "the excluded pair counts";
+    EXPECT_NEAR(disagreement(b, a, reversed(priors), {back, there}), stated, 1e-12);
+}
+
 TEST(SpectralPriors, WhatSurroundsALandmarkMustAgreeNotTheLandmarkAlone) {
     const PreparedShape shape = spikes_turned_by(0);
     const Index tip = shape.samples.front();

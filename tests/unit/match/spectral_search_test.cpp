@@ -33,6 +33,9 @@ struct SpectralSearch : testing::Test {
     SpectralTuning tuning;
     Stopwatch watch;
 
+    // One way only, unless a test asks for both.
+    SpectralSearch() { tuning.unlike.doubtful_score = -std::numeric_limits<double>::infinity(); }
+
     Search between(const PreparedShape& b, std::size_t n_alternatives) {
         return search(a, b, nothing_known, n_alternatives, tuning, {}, watch);
     }
@@ -84,6 +87,46 @@ TEST_F(SpectralSearch, OfUnlikeShapesTheWinnerIsRematchedAndComesAfterWhatIsBett
     EXPECT_GT(best.refined_score, without.finalists.front().refined_score);
     EXPECT_EQ(best.scores.total, without.score());
     EXPECT_NEAR(best.scores.total - next.scores.total, best.refined_score - next.refined_score, 1e-12);
+}
+
+TEST_F(SpectralSearch, OfUnlikeShapesWhatFitsBadlyIsSoughtFromBToAAsWell) {
+    const PreparedShape b = spiky(0.6);
+    tuning.unlike.n_coarse = 500;
+    tuning.unlike.rivals = {.n_refined = 1, .distinct = {.mean = 0, .moved_share = 0}};
+    tuning.unlike.rematching.n_rounds = 0;
+    const auto from_b = [&] { return search(b, a, nothing_known, 0, tuning, {}, watch); };
+    const Search there = between(b, 0), back = from_b();
+    const Candidate &forward = there.finalists.front(), reverse = reversed(back.finalists.front());
+    ASSERT_NE(forward.on_vertices.b_from_a, reverse.on_vertices.b_from_a) << "else this shows nothing";
+    const Candidate& better = forward.refined_score >= reverse.refined_score ? forward : reverse;
+    tuning.unlike.doubtful_score = better.refined_score + 0.01;
+    const Search both = between(b, 0), same = from_b();
+    ASSERT_EQ(both.finalists.size(), there.finalists.size() + back.finalists.size());
+    EXPECT_EQ(both.finalists.front().on_vertices.b_from_a, better.on_vertices.b_from_a);
+    EXPECT_EQ(both.finalists.front().on_vertices.a_from_b, better.on_vertices.a_from_b);
+    EXPECT_EQ(both.score(), better.scores.total);
+    EXPECT_EQ(reversed(same.finalists.front()).on_vertices.b_from_a, better.on_vertices.b_from_a);
+    EXPECT_EQ(same.score(), both.score()) << "from B to A the map and its score are the same";
+    tuning.unlike.doubtful_score = forward.refined_score;
+    EXPECT_EQ(between(b, 0).finalists.size(), there.finalists.size()) << "what fits is sought once";
+}
+
+TEST_F(SpectralSearch, OfUnlikeShapesTheReverseSearchKnowsWhatIsKnown) {
+    const PreparedShape b = spiky(0.6);
+    Eigen::Index top = 0, tip = 0;
+    a.mesh.vertices.col(1).maxCoeff(&top);
+    b.mesh.vertices.col(2).maxCoeff(&tip);  // another spike
+    Priors priors = make_priors(a, b, VertexPairs{{static_cast<Index>(top), static_cast<Index>(tip)}}, {});
+    tuning.unlike.n_coarse = 500;
+    tuning.unlike.rivals = {.n_refined = 1, .distinct = {.mean = 0, .moved_share = 0}};
+    tuning.unlike.rematching.n_rounds = 0;
+    tuning.unlike.max_unguided_pins = 0;
+    tuning.unlike.doubtful_score = std::numeric_limits<double>::infinity();
+    for (const Candidate& map : search(a, b, priors, 0, tuning, {}, watch).finalists) {
+        const Index there = map.on_vertices.b_from_a[at(top)], back = map.on_vertices.a_from_b[at(tip)];
+        EXPECT_LT((b.mesh.vertices.row(there) - b.mesh.vertices.row(tip)).norm(), 0.15);
+        EXPECT_LT((a.mesh.vertices.row(back) - a.mesh.vertices.row(top)).norm(), 0.15);
+    }
 }
 
 TEST_F(SpectralSearch, OfUnlikeShapesAPinnedLandmarkIsFollowedOrHeldAlone) {
