@@ -320,7 +320,7 @@ struct UnlikeTuning {
     RivalTuning rivals{.close_score = 0.3, .n_refined = 12, .n_repeated = {4, 2, 1}, .n_pull_rounds = 2};
     RematchingTuning rematching{};
     /// By equation 7, on coarse copies. Where the best map has less, the pair is searched from B to A as
-    /// well: 25 of 42 pairs with a hippo, 2 of 123 pairs of other animals. With 0, 1 and 1.05 the 42
+    /// well: 25 of 42 pairs with a hippo, 2 of 133 pairs of other animals. With 0, 1 and 1.05 the 42
     /// have 4.9, 4.7 and 4.6, 12, 10 and 9 of them above 6 (PreparationOptions::seed 1, which nothing else
     /// was chosen by).
     double doubtful_score = 1.05;
