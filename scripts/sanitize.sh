@@ -33,6 +33,7 @@ slow_tests=(
   SpectralSearch.OfNearIsometriesThatAreNotDecidedTheCloseOnesAreRivals
   SpectralSearch.OfUnlikeShapesAsManyAsAskedForHaveBeenTriedAndOneIsRefinedOnceMore
   SpectralSearch.OfUnlikeShapesTheWinnerIsRematchedAndComesAfterWhatIsBetter
+  SpectralSearch.OfUnlikeShapesWhatFitsBadlyIsSoughtFromBToAAsWell
   SpectralUnlikeShapes.WhatIsFoundWithoutLandmarksWinsOnlyWhereItFitsAndAgreesWithThem
 )
 case "${1:-}" in
