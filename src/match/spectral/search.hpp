@@ -19,7 +19,8 @@ struct Search {
 };
 
 /// Stages 2 to 4: maps between all samples, one to be taken and at least `n_alternatives` others if there are
-/// as many. `priors` must outlive the result. Laps: candidates, selection, final choice.
+/// as many. Unlike shapes whose best map fits badly (UnlikeTuning::doubtful_score) are searched from B to A
+/// as well. `priors` must outlive the result. Laps: candidates, selection, final choice.
 Search search(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
               std::size_t n_alternatives, const SpectralTuning& tuning, const ProgressRange& progress,
               Stopwatch& watch);
