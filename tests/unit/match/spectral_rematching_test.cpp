@@ -36,8 +36,9 @@ struct SpectralRematching : testing::Test {
         return result;
     }
 
-    std::vector<Candidate> rematched(const Candidate& map) const {
-        return rematch_extremities(map, pair, tuning, {}, {.last_size = 100, .goes_on = false});
+    std::vector<Candidate> rematched(const Candidate& map, int n_rounds = 8) const {
+        return rematch_extremities(map, pair, tuning, {},
+                                   {.last_size = 100, .n_rounds = n_rounds, .goes_on = false});
     }
 
     // Mean distance of images from where they belong: the two surfaces are one.
@@ -70,6 +71,29 @@ TEST_F(SpectralRematching, TipsThatGoToTipsKeepThem) {
 TEST_F(SpectralRematching, WhatIsTooFarApartIsNotMatched) {
     tuning.most_apart = 0.1;
     EXPECT_GT(error(rematched(candidate({exchanged, identity})).front()), 0.05);
+}
+
+// Two spikes go to one, there and back: the other one is bare on both sides. So few rounds do not reach it
+// but from where the guides lead.
+TEST_F(SpectralRematching, BareExtremitiesAreMatchedHoweverFarApart) {
+    std::vector<Index> folded = identity;
+    for (const Index v : identity)
+        if (shape.mesh.vertices(v, 1) < 0) folded[at(v)] = exchanged[at(v)];
+    const Candidate start = candidate({folded, folded});
+    tuning = {};
+    EXPECT_LT(error(rematched(start, 2).front()), 0.02);
+    tuning.bare = 10;  // nothing is
+    EXPECT_GT(error(rematched(start, 2).front()), 0.05) << "or this proves nothing";
+    tuning = {.far_rings = 1};
+    EXPECT_GT(error(rematched(start, 2).front()), 0.05);
+}
+
+TEST_F(SpectralRematching, WhatFitsIsLeftAsItIs) {
+    const Candidate start = candidate({exchanged, identity});
+    tuning.good_score = start.refined_score;
+    EXPECT_EQ(rematched(start).size(), 1U);
+    tuning.good_score += 0.001;
+    EXPECT_GT(rematched(start).size(), 1U);
 }
 
 TEST_F(SpectralRematching, ARightMapStaysRight) {

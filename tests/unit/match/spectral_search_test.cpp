@@ -79,6 +79,7 @@ TEST_F(SpectralSearch, OfUnlikeShapesTheWinnerIsRematchedAndComesAfterWhatIsBett
     tuning.unlike.rivals.n_repeated = {};
     tuning.unlike.rivals.n_pull_rounds = 0;
     tuning.unlike.rivals.distinct = {.mean = 0, .moved_share = 0};  // all are kept
+    tuning.unlike.rematching.good_score = 10;                       // none fits so well
     const Search with = between(b, 0);
     tuning.unlike.rematching.n_rounds = 0;
     const Search without = between(b, 0);
