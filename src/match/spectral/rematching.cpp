@@ -103,14 +103,18 @@ std::vector<int> bare_extremities(const MatrixF& extremity_distances, int n_prom
 }
 
 // Where two legs went to one, another leg is bare, and so is one on the other side: each of them with each,
-// however far apart.
+// if they are not close, which is tried anyway.
 std::vector<Trial> variations_of_bare(const SampledPair& all, const PairedMaps& maps,
                                       const std::vector<Closeness>& close, double radius) {
     const PreparedShape &a = all.a, &b = all.b;
     std::vector<Trial> result;
-    for (const int i : bare_extremities(a.extremity_distances, a.n_prominent, maps.a_from_b, radius))
-        for (const int j : bare_extremities(b.extremity_distances, b.n_prominent, maps.b_from_a, radius))
-            result.push_back({completed({{i, j}}, close), true});
+    for (const int i : bare_extremities(a.extremity_distances, a.n_prominent, maps.a_from_b, radius)) {
+        for (const int j : bare_extremities(b.extremity_distances, b.n_prominent, maps.b_from_a, radius)) {
+            const std::pair pair(i, j);
+            if (std::none_of(close.begin(), close.end(), [&](const Closeness& c) { return c.pair == pair; }))
+                result.push_back({completed({pair}, close), true});
+        }
+    }
     return result;
 }
 

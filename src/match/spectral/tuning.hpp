@@ -297,14 +297,15 @@ struct RematchingTuning {
     double most_apart =
         0.6;               ///< there and back, of extremities that may correspond; with 0.5 and 0.06, 8 of 14
     double settled = 0.1;  ///< closer ones keep their partners
-    /// Nothing goes so near to a bare extremity. With those tried with each other that have no partner within
-    /// `most_apart`, bare or not, 84 pairs with a hippo (two seeds) have the same errors but for the one that
-    /// is mended either way, in half as much time again for rematching. No other was tried.
+    /// Nothing goes so near to a bare extremity. Of 15 pairs with a hippo one is mended (12.6 to 6.9), the
+    /// others stay as they are, in the same time. If all without a partner within `most_apart` are tried with
+    /// each other instead, 84 searches of pairs with a hippo have 4.72 instead of 4.80, for a third to a half
+    /// more time. No other radius was tried.
     double bare = 0.15;
-    int far_rings = 8;  ///< RefinementTuning::first_rings there; with 2 the 14 pairs have 6.5, with 8 6.2
-    /// By equation 7: what fits so well is left as it is. On 66 pairs of animals without a hippo rematching
-    /// takes errors from 2.42 to 2.32 in 5.7 s of a processor for each pair; up to 1.15, 1.2 and 1.25 alone
-    /// it does to 2.36, 2.33 and 2.32 in 2.0, 3.9 and 4.4 s.
+    int far_rings = 8;  ///< RefinementTuning::first_rings where they guide; no other was tried with them
+    /// By equation 7: what scores so much is left as it is. On 66 pairs of animals without a hippo rematching
+    /// takes errors from 2.42 to 2.32 in 5.7 s of a processor for each pair; applied only to maps below 1.15,
+    /// 1.2 and 1.25, to 2.36, 2.33 and 2.32 in 2.0, 3.9 and 4.4 s.
     double good_score = 1.2;
     int n_rounds = 2;  ///< at most, while each gains: 6.6, 6.4 and 6.4 with 1, 2 and 3; 0 = none
 };
@@ -326,7 +327,8 @@ struct UnlikeTuning {
     /// By equation 7. On copies of 1000 vertices, with 6 rivals and repeats {2, 1} the 12 pairs of gorillas
     /// have 9.5 (a half-turn), with repeats {4, 2, 1, 1} 9.4; with 12 or 24 rivals and {4, 2, 1} 5.27; with
     /// 24 and {12, 6, 2, 1} 5.25. In 191 searches (66 pairs of animals without a hippo, 42 with one, two
-    /// seeds, some both ways) the rival that wins was at most 0.153 behind before it was refined in full.
+    /// seeds, some both ways) the rival that won was at most 0.153 behind before it was refined in full; the
+    /// 12 gorillas have the same maps with 0.3 and 0.16.
     RivalTuning rivals{.close_score = 0.16, .n_refined = 12, .n_repeated = {4, 2, 1}, .n_pull_rounds = 2};
     RematchingTuning rematching{};
     /// By equation 7, on coarse copies. Where the best map has less, the pair is searched from B to A as

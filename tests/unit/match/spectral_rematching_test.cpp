@@ -15,7 +15,7 @@ namespace {
 struct SpectralRematching : testing::Test {
     const PreparedShape shape = prepare(test::three_spikes(), {.n_functions = 100, .n_samples = 300});
     const SampledPair pair{shape, shape, all_samples, CueTuning{}.radius};
-    RematchingTuning tuning{.most_apart = 10};
+    RematchingTuning tuning{.most_apart = 10, .good_score = 10};
     std::vector<Index> identity, exchanged;  // what exchanges +y and -y
 
     SpectralRematching() : identity(at(shape.mesh.n_vertices())) {
@@ -80,11 +80,14 @@ TEST_F(SpectralRematching, BareExtremitiesAreMatchedHoweverFarApart) {
     for (const Index v : identity)
         if (shape.mesh.vertices(v, 1) < 0) folded[at(v)] = exchanged[at(v)];
     const Candidate start = candidate({folded, folded});
-    tuning = {};
+    tuning.most_apart = 0.6;
     EXPECT_LT(error(rematched(start, 2).front()), 0.02);
+    const Candidate on_one_side = candidate({folded, identity}), found = rematched(on_one_side, 2).front();
     tuning.bare = 10;  // nothing is
     EXPECT_GT(error(rematched(start, 2).front()), 0.05) << "or this proves nothing";
-    tuning = {.far_rings = 1};
+    EXPECT_EQ(rematched(on_one_side, 2).front().on_vertices.b_from_a, found.on_vertices.b_from_a);
+    tuning.bare = RematchingTuning{}.bare;
+    tuning.far_rings = 1;
     EXPECT_GT(error(rematched(start, 2).front()), 0.05);
 }
 
@@ -126,14 +129,16 @@ TEST(SpectralRematchingOfLimbs, LandmarksAndDirectionsGuideAsWell) {
                              test::nearest_vertices(longer.vertices, shorter.vertices)};
         start.maps = between_samples(pair, start.on_vertices);
         start.refined_score = refined_score(pair, start.on_vertices, {});
-        return rematch_extremities(start, pair, {.most_apart = 0}, {},
+        // What is known is followed by a map that fits, too.
+        const double good_score = &priors == &nothing_known ? 10 : 0;
+        return rematch_extremities(start, pair, {.most_apart = 0, .good_score = good_score}, {},
                                    {.back_pull = 0, .n_continued_rounds = 8})
             .front();
     };
     const auto image_of_tip = [&](const Candidate& map) {
         return longer.vertices(map.on_vertices.b_from_a[at(tip)], 0);
     };
-    EXPECT_LT(image_of_tip(best({})), 0.8 * end) << "or this proves nothing";
+    EXPECT_LT(image_of_tip(best(nothing_known)), 0.8 * end) << "or this proves nothing";
     VertexPairs both_ends;
     for (const Eigen::Index v : {tip, bottom})
         both_ends.emplace_back(static_cast<Index>(v), static_cast<Index>(v));
