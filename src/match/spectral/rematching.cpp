@@ -112,7 +112,7 @@ std::vector<Trial> variations_of_bare(const SampledPair& all, const PairedMaps& 
         for (const int j : bare_extremities(b.extremity_distances, b.n_prominent, maps.b_from_a, radius)) {
             const std::pair pair(i, j);
             if (std::none_of(close.begin(), close.end(), [&](const Closeness& c) { return c.pair == pair; }))
-                result.push_back({completed({pair}, close), true});
+                result.push_back({.guides = completed({pair}, close), .is_far = true});
         }
     }
     return result;

@@ -123,11 +123,11 @@ TEST_F(SpectralSearch, OfUnlikeShapesTheReverseSearchKnowsWhatIsKnown) {
     tuning.unlike.rematching.n_rounds = 0;
     tuning.unlike.max_unguided_pins = 0;
     tuning.unlike.doubtful_score = std::numeric_limits<double>::infinity();
-    const double within = 0.3;  // copies of 500 vertices are coarse
     for (const Candidate& map : search(a, b, priors, 0, tuning, {}, watch).finalists) {
         const Index there = map.on_vertices.b_from_a[at(top)], back = map.on_vertices.a_from_b[at(bottom)];
-        EXPECT_LT((b.mesh.vertices.row(there) - b.mesh.vertices.row(bottom)).norm(), within);
-        EXPECT_LT((a.mesh.vertices.row(back) - a.mesh.vertices.row(top)).norm(), within);
+        EXPECT_LT((b.mesh.vertices.row(there) - b.mesh.vertices.row(bottom)).norm(), 0.15);
+        EXPECT_LT((a.mesh.vertices.row(back) - a.mesh.vertices.row(top)).norm(),
+                  0.25);  // 500 vertices are coarse
     }
 }
 
