@@ -4,6 +4,7 @@
 
 #include "align/local_similarities.hpp"
 #include "numerics/nearest_neighbors.hpp"
+#include "numerics/sparse_cholesky.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
@@ -13,7 +14,6 @@
 #include <vector>
 
 #include <Eigen/Geometry>
-#include <Eigen/SparseCholesky>
 
 namespace counterpart::align {
 namespace {
@@ -84,14 +84,14 @@ SparseMatrix stiffness_of(MeshView mesh) {
 struct ElasticSurface::System {
     Points rest;
     SparseMatrix stiffness;
-    Eigen::SimplicialLDLT<SparseMatrix> factor;
+    numerics::SparseCholesky factor;
     std::vector<LocalSimilarity> similarities;  // followed from call to call
 };
 
 ElasticSurface::ElasticSurface(MeshView rest) : system_(std::make_unique<System>()) {
     system_->rest = rest.vertices;
     system_->stiffness = stiffness_of(rest);
-    system_->factor.analyzePattern(system_->stiffness);
+    system_->factor = numerics::SparseCholesky(system_->stiffness);
 }
 
 ElasticSurface::~ElasticSurface() = default;
@@ -100,10 +100,8 @@ Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView 
                              const std::vector<char>& spoiled) {
     SparseMatrix sum = system_->stiffness;
     for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
-    system_->factor.factorize(sum);
-    if (system_->factor.info() != Eigen::Success)
-        throw NumericalError("fit: the elastic system cannot be factorized");
-    Eigen::MatrixXd pulled = anchor * start;
+    if (!system_->factor.factorize(sum)) throw NumericalError("fit: the elastic system cannot be factorized");
+    Points pulled = anchor * start;
     for (Eigen::Index v = 0; v < pull.size(); ++v)
         if (pull[v] > 0) pulled.row(v) += pull[v] * towards.row(v);
     Points now = start;
@@ -111,7 +109,7 @@ Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView 
         system_->similarities = local_similarities(system_->stiffness, system_->rest, now, scale_bounds,
                                                    std::move(system_->similarities));
         if (!spoiled.empty()) continue_inward(system_->stiffness, spoiled, system_->similarities);
-        const Eigen::MatrixXd right =
+        const Points right =
             pulled + moved_differences(system_->stiffness, system_->rest, system_->similarities);
         now = system_->factor.solve(right);
     }

@@ -4,6 +4,7 @@
 #include "base/random.hpp"
 #include "mesh/surface_box.hpp"
 #include "numerics/closest_triangle.hpp"
+#include "numerics/dense_systems.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
@@ -17,7 +18,6 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -79,7 +79,7 @@ Affine plane_step(PointsView moved, PointsView to, PointsView normals, const Vec
         left += weights[v] * jacobian.transpose() * metric * jacobian;
         right += weights[v] * jacobian.transpose() * metric * (to.row(v) - moved.row(v)).transpose();
     }
-    const Vector x = left.ldlt().solve(right);
+    const Vector x = numerics::solve_symmetric(left, right);
     Affine step;
     if (model == TransformModel::affine) {
         for (int i = 0; i < 3; ++i) step.linear.row(i) += x.segment<3>(3 * i).transpose();

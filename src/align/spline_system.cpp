@@ -3,13 +3,11 @@
 #include "align/spline_system.hpp"
 
 #include "base/multiversion.hpp"
+#include "numerics/dense_systems.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 namespace counterpart::align {
 namespace {
@@ -75,18 +73,15 @@ SplineSystem::SplineSystem(const Matrix& controls) : center_(controls.colwise().
     normal_ = polynomial_.transpose() * polynomial_;
 
     // Controls on a line or plane make P rank-deficient: pivoting finds what it does span.
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(polynomial_);
-    qr.setThreshold(1e-10);
-    polynomial_solution_ =
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(polynomial_).pseudoInverse();
-    const Eigen::Index n_bending = n - std::min(n, qr.rank());
+    const numerics::ColumnSpace span = numerics::column_space(polynomial_, 1e-10);
+    polynomial_solution_ = span.pseudo_inverse;
+    const Eigen::Index n_bending = n - std::min(n, span.rank);
     if (n_bending == 0) {
         basis_.resize(0, n);
         kernel_basis_.resize(n, 0);
         return;
     }
-    const Eigen::MatrixXd q = qr.householderQ();
-    const auto q2 = q.rightCols(n_bending);
+    const Eigen::MatrixXd q2 = span.basis.rightCols(n_bending);
     const Eigen::MatrixXd kernel = spline_kernel(controls, controls);
     const Eigen::MatrixXd kernel_q2 = kernel * q2;
     const auto eigen = numerics::symmetric_eigen(Eigen::MatrixXd(q2.transpose() * kernel_q2));
@@ -112,7 +107,8 @@ SplineSystem::Fit SplineSystem::fit(const Matrix& images, double bending_weight,
     if (affine_weight > 0) {
         Matrix regularized = normal_;
         regularized.diagonal().array() += affine_weight;
-        fit.affine = identity + Matrix(regularized.ldlt().solve(polynomial_.transpose() * rest));
+        fit.affine = identity + Matrix(numerics::solve_symmetric(
+                                    regularized, Eigen::MatrixXd(polynomial_.transpose() * rest)));
     } else {
         fit.affine = identity + Matrix(polynomial_solution_ * rest);
     }

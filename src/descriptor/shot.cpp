@@ -3,6 +3,7 @@
 #include "descriptor/shot.hpp"
 
 #include "base/parallel.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/descriptor/descriptors.hpp>
@@ -14,7 +15,6 @@
 #include <numbers>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -35,8 +35,8 @@ Eigen::Matrix3d local_frame(const std::vector<NearPoint>& points, const Eigen::V
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const NearPoint& p : points)
         if (p.distance < radius) spread += p.area * (radius - p.distance) * p.offset * p.offset.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-    Eigen::Vector3d z = solver.eigenvectors().col(0), x = solver.eigenvectors().col(2);
+    const Eigen::Matrix3d axes = numerics::symmetric_eigen(spread).vectors;
+    Eigen::Vector3d z = axes.col(0), x = axes.col(2);
     if (z.dot(normal) < 0) z = -z;
     double side = 0;
     for (const NearPoint& p : points) {

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "mesh/fans.hpp"
 #include "numerics/closest_triangle.hpp"
+#include "numerics/dense_systems.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/project.hpp>
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <set>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -119,7 +119,7 @@ Eigen::Vector3d fitted_image(MeshView source, const Eigen::RowVector3d& normal,
     // A little damping, for neighbors on a line.
     normal_matrix(1, 1) += 1e-9 * farthest;
     normal_matrix(2, 2) += 1e-9 * farthest;
-    const Eigen::Matrix3d fit = normal_matrix.ldlt().solve(right);
+    const Eigen::Matrix3d fit = numerics::solve_symmetric(normal_matrix, right);
     return fit.row(0).transpose();
 }
 

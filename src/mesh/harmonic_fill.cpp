@@ -3,10 +3,9 @@
 #include "mesh/harmonic_fill.hpp"
 
 #include "numerics/nearest_neighbors.hpp"
+#include "numerics/sparse_cholesky.hpp"
 
 #include <counterpart/base/errors.hpp>
-
-#include <Eigen/SparseCholesky>
 
 namespace counterpart::mesh {
 namespace {
@@ -65,8 +64,8 @@ FillResult fill_from_neighbors(const Adjacency& adjacency, const Matrix& values)
     }
     SparseMatrix laplacian(result.filled, result.filled);
     laplacian.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<SparseMatrix> solver(laplacian);
-    if (solver.info() != Eigen::Success) throw NumericalError("fill: the system could not be solved");
+    numerics::SparseCholesky solver(laplacian);
+    if (!solver.factorize(laplacian)) throw NumericalError("fill: the system could not be solved");
     const Eigen::MatrixXd solution = solver.solve(right);
     for (Index i = 0; i < result.filled; ++i)
         result.values.row(unknown[static_cast<std::size_t>(i)]) = solution.row(i);

@@ -3,14 +3,14 @@
 #include "numerics/eigenpairs.hpp"
 
 #include "numerics/block_lanczos.hpp"
+#include "numerics/sparse_cholesky.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymGEigsShiftSolver.h>
 
@@ -29,15 +29,15 @@ class ShiftInvert {
     Eigen::Index rows() const { return stiffness_.rows(); }
     Eigen::Index cols() const { return stiffness_.cols(); }
     void set_shift(double shift) {
-        factor_.compute(stiffness_ - shift * mass_);
-        if (factor_.info() != Eigen::Success)
-            throw NumericalError("the shifted Laplacian cannot be factorized");
+        const SparseMatrix shifted = stiffness_ - shift * mass_;
+        factor_ = SparseCholesky(shifted);
+        if (!factor_.factorize(shifted)) throw NumericalError("the shifted Laplacian cannot be factorized");
     }
     void perform_op(const double* x, double* y) const {
         // The number of restarts is unknown in advance: each filled basis counts as half of the remaining
         // work.
         report_progress(progress_, 1 - std::exp2(-static_cast<double>(n_steps_++) / n_basis_));
-        Eigen::Map<Vector>(y, rows()) = factor_.solve(Eigen::Map<const Vector>(x, rows()));
+        Eigen::Map<Vector>(y, rows()) = factor_.solve(Vector(Eigen::Map<const Vector>(x, rows())));
     }
 
   private:
@@ -46,17 +46,14 @@ class ShiftInvert {
     const int n_basis_;
     const Progress& progress_;
     mutable int n_steps_ = 0;
-    Eigen::SimplicialLDLT<SparseMatrix> factor_;
+    SparseCholesky factor_;
 };
 
 }  // namespace
 
 Eigenpairs dense_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(stiffness),
-                                                                           Eigen::MatrixXd(mass)};
-    if (solver.info() != Eigen::Success || !solver.eigenvalues().allFinite())
-        throw NumericalError("the dense eigenvalue problem did not converge");
-    return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
+    const auto all = symmetric_eigen(Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass));
+    return {all.values.head(count), all.vectors.leftCols(count)};
 }
 
 Eigenpairs spectra_eigenpairs(const SparseMatrix& stiffness, const SparseMatrix& mass, int count,

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <counterpart/base/types.hpp>
+#include "numerics/sparse_cholesky.hpp"
 
-#include <Eigen/SparseCholesky>
+#include <counterpart/base/types.hpp>
 
 namespace counterpart::numerics {
 
@@ -26,8 +26,7 @@ class ShiftedFactor {
 
   private:
     SparseMatrix stiffness_, mass_;
-    Eigen::SimplicialLDLT<SparseMatrix> factor_;
-    SparseMatrix lower_;  // L, with its diagonal of ones
+    SparseCholesky factor_;
 };
 
 }  // namespace counterpart::numerics

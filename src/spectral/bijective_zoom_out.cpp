@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "spectral/bijective_zoom_out.hpp"
 
+#include "numerics/dense_systems.hpp"
 #include "numerics/product.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
 
 namespace counterpart::spectral {
 namespace {
@@ -19,13 +18,12 @@ numerics::VectorF multiplicities(const std::vector<Index>& map, Index size) {
     return count;
 }
 
-// Phi^T diag(weights) Phi, factorized, with a trace of regularization for fewer points than functions.
-Eigen::LLT<Eigen::MatrixXf> normal_matrix(const numerics::MatrixF& functions,
-                                          const numerics::VectorF& weights) {
+// Phi^T diag(weights) Phi with a trace of regularization for fewer points than functions.
+Eigen::MatrixXf normal_matrix(const numerics::MatrixF& functions, const numerics::VectorF& weights) {
     const numerics::MatrixF weighted = weights.asDiagonal() * functions;
     Eigen::MatrixXf gram = numerics::transposed_product(weighted, functions);
     gram.diagonal().array() += 1e-5F * gram.diagonal().maxCoeff();
-    return Eigen::LLT<Eigen::MatrixXf>(gram);
+    return gram;
 }
 
 // Wider at high frequencies, where the two spectra drift apart.
@@ -59,9 +57,11 @@ PairedFunctionalMaps fit_functional_maps(const SpectralPoints& a, const Spectral
     const Eigen::MatrixXf cross = numerics::transposed_product(phi_a, pulled);
     report_progress(progress, 0.4);
     PairedFunctionalMaps result;
-    result.a_from_b = normal_matrix(phi_a, multiplicities(maps.a_from_b, a.size())).solve(cross);
+    result.a_from_b = numerics::solve_positive_definite(
+        normal_matrix(phi_a, multiplicities(maps.a_from_b, a.size())), cross);
     report_progress(progress, 0.7);
-    result.b_from_a = normal_matrix(phi_b, multiplicities(maps.b_from_a, b.size())).solve(cross.transpose());
+    result.b_from_a = numerics::solve_positive_definite(
+        normal_matrix(phi_b, multiplicities(maps.b_from_a, b.size())), cross.transpose());
     if (masked) {
         damp_far_frequencies(result.a_from_b, a.frequencies, b.frequencies);
         damp_far_frequencies(result.b_from_a, b.frequencies, a.frequencies);

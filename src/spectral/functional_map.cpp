@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/dense_systems.hpp"
 #include "numerics/product_search.hpp"
 #include "spectral/require_valid.hpp"
 
@@ -8,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
 
 namespace counterpart {
 namespace {
@@ -94,7 +93,7 @@ FunctionalMap fit_functional_map(const Eigen::MatrixXd& source_coefficients, con
             const double gap = (source_eigenvalues[i] - target_eigenvalues[j]) / scale;
             system(j, j) += commutativity * gap * gap + 1e-6;
         }
-        map.row(i) = system.ldlt().solve(cross.row(i).transpose()).transpose();
+        map.row(i) = numerics::solve_symmetric(system, Vector(cross.row(i).transpose())).transpose();
     }
     return map;
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/local_linear_maps.hpp"
 
+#include "numerics/sparse_cholesky.hpp"
+
 #include <counterpart/align/icp.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
-
-#include <Eigen/SparseCholesky>
 
 namespace counterpart::morphing {
 
@@ -65,9 +65,8 @@ std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_tar
                 entries.emplace_back(3 * v + r, 3 * v + c, blocks[static_cast<std::size_t>(v)](r, c));
     SparseMatrix system(right.rows(), right.rows());
     system.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<SparseMatrix> solver(system);
-    if (solver.info() != Eigen::Success)
-        throw NumericalError("local linear maps: the system could not be solved");
+    numerics::SparseCholesky solver(system);
+    if (!solver.factorize(system)) throw NumericalError("local linear maps: the system could not be solved");
     const Eigen::MatrixXd solution = solver.solve(right);
     std::vector<Eigen::Matrix3d> maps;
     maps.reserve(blocks.size());

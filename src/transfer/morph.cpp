@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "numerics/rotation.hpp"
+#include "numerics/sparse_cholesky.hpp"
 #include "transfer/rigid_elements.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -12,7 +13,6 @@
 #include <limits>
 #include <numeric>
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -121,7 +121,7 @@ struct Morph::Impl {
     morphing::RotationField field;  // the same, softened at folds
     std::vector<Index> folding;     // elements that were seen to turn over
     int rings = 5;
-    Eigen::SimplicialLDLT<SparseMatrix> solver;
+    numerics::SparseCholesky solver;
 
     using Frame = std::vector<Eigen::Quaterniond>;
     Points shapes_at(double time) const;
@@ -150,8 +150,9 @@ Morph::Morph(MeshView first, PointsView last, const MorphOptions& options) : imp
     });
     m.sides = std::make_unique<SidesAtVertices>(m.elements, first.n_vertices());
     if (first.n_vertices() > 1) {
-        m.solver.compute(laplacian_without_vertex_0(m.elements, first.n_vertices()));
-        if (m.solver.info() != Eigen::Success)
+        const SparseMatrix laplacian = laplacian_without_vertex_0(m.elements, first.n_vertices());
+        m.solver = numerics::SparseCholesky(laplacian);
+        if (!m.solver.factorize(laplacian))
             throw NumericalError("the morph's system could not be factorized");
     }
 }
@@ -187,7 +188,7 @@ Points Morph::Impl::positions(const Frame& rotations, PointsView shapes) const {
         turned.middleRows<3>(row) = shapes.middleRows<3>(row) * rotations[i].toRotationMatrix().transpose();
     });
     const Eigen::Index n_vertices = from.rows();
-    Eigen::Matrix<double, Eigen::Dynamic, 3> right(n_vertices - 1, 3);  // by columns, as the solver wants it
+    Points right(n_vertices - 1, 3);
     parallel_for(static_cast<std::size_t>(n_vertices - 1), grain, [&](std::size_t i) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (Index s = sides->first[i + 1]; s < sides->first[i + 2]; ++s) {
@@ -197,10 +198,7 @@ Points Morph::Impl::positions(const Frame& rotations, PointsView shapes) const {
         right.row(static_cast<Eigen::Index>(i)) = sum;
     });
     Points result = Points::Zero(n_vertices, 3);
-    parallel_for(3, 1, [&](std::size_t axis) {
-        const auto c = static_cast<Eigen::Index>(axis);
-        result.col(c).tail(n_vertices - 1) = solver.solve(right.col(c));
-    });
+    if (n_vertices > 1) result.bottomRows(n_vertices - 1) = solver.solve(right);
     return result;
 }
 

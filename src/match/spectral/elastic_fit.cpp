@@ -3,6 +3,7 @@
 #include "match/spectral/elastic_fit.hpp"
 
 #include "align/local_similarities.hpp"
+#include "numerics/sparse_cholesky.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -10,8 +11,6 @@
 #include <cmath>
 #include <utility>
 #include <vector>
-
-#include <Eigen/SparseCholesky>
 
 namespace counterpart::spectral_match {
 
@@ -21,9 +20,9 @@ struct ElasticFit::System {
     Vector mass;
     align::ScaleBounds bounds;
     double settled;
-    Eigen::SimplicialLDLT<SparseMatrix> factor;
+    numerics::SparseCholesky factor;
     std::vector<align::LocalSimilarity> similarities;  // of the last positions: those of the next are near
-    Eigen::MatrixXd pulled;                            // the pull's part of the right side
+    Points pulled;                                     // the pull's part of the right side
 
     void pull(PointsView towards, double stiffness_length, const Vector& trust);
     Points solved() const;
@@ -37,7 +36,7 @@ ElasticFit::ElasticFit(PointsView rest, const LaplaceBeltrami& laplacian, const 
     system_->bounds = {tuning.min_scale, tuning.max_scale};
     system_->settled = tuning.settled;
     for (Eigen::Index v = 0; v < rest.rows(); ++v) system_->stiffness.coeffRef(v, v) += 0;  // in the pattern
-    system_->factor.analyzePattern(system_->stiffness);
+    system_->factor = numerics::SparseCholesky(system_->stiffness);
 }
 
 ElasticFit::~ElasticFit() = default;
@@ -47,13 +46,12 @@ void ElasticFit::System::pull(PointsView towards, double stiffness_length, const
     if (trust.size() > 0) weight.array() *= trust.array();
     SparseMatrix sum = stiffness;
     for (Eigen::Index v = 0; v < weight.size(); ++v) sum.coeffRef(v, v) += weight[v];
-    factor.factorize(sum);
-    if (factor.info() != Eigen::Success) throw NumericalError("the elastic system cannot be factorized");
+    if (!factor.factorize(sum)) throw NumericalError("the elastic system cannot be factorized");
     pulled = weight.asDiagonal() * towards;
 }
 
 Points ElasticFit::System::solved() const {
-    const Eigen::MatrixXd right = pulled + align::moved_differences(stiffness, rest, similarities);
+    const Points right = pulled + align::moved_differences(stiffness, rest, similarities);
     return factor.solve(right);
 }
 

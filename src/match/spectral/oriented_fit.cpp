@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/oriented_fit.hpp"
 
+#include "numerics/dense_systems.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -58,7 +58,7 @@ Eigen::MatrixXd fit_oriented(const PreparedShape& a, const PreparedShape& b, con
         }
     }
     const Eigen::VectorXd rows =
-        system.llt().solve(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(cross.data(), k * k)));
+        numerics::solve_positive_definite(system, Eigen::Map<const Eigen::VectorXd>(cross.data(), k * k));
     return Eigen::Map<const RowMajor>(rows.data(), k, k);
 }
 

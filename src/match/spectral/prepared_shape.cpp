@@ -7,6 +7,7 @@
 #include "geodesic/finite_distance_rows.hpp"
 #include "match/spectral/partition.hpp"
 #include "match/spectral/proxy.hpp"
+#include "numerics/sparse_cholesky.hpp"
 #include "numerics/symmetric_eigen.hpp"
 #include "spectral/approximate_basis.hpp"
 #include "spectral/subspace_basis.hpp"
@@ -23,7 +24,6 @@
 #include <numeric>
 #include <span>
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 namespace counterpart::spectral_match {
@@ -144,13 +144,13 @@ Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuni
                        const ProgressRange& progress) {
     SparseMatrix system = tuning.relief_time * shape.laplacian.stiffness;
     for (Eigen::Index v = 0; v < system.cols(); ++v) system.coeffRef(v, v) += shape.laplacian.mass[v];
-    const Eigen::SimplicialLDLT<SparseMatrix> factor(system);
-    if (factor.info() != Eigen::Success) return Eigen::MatrixXd::Zero(system.cols(), 4);
+    numerics::SparseCholesky factor(system);
+    if (!factor.factorize(system)) return Eigen::MatrixXd::Zero(system.cols(), 4);
     Eigen::MatrixXd smoothed(system.cols(), 6), result(system.cols(), 4);
     smoothed << shape.mesh.vertices, shape.normals;
     for (int step = 1; step <= tuning.n_relief_steps; ++step) {
         progress.check();
-        smoothed = factor.solve(shape.laplacian.mass.asDiagonal() * smoothed).eval();
+        smoothed = factor.solve(Eigen::MatrixXd(shape.laplacian.mass.asDiagonal() * smoothed));
         if (step != 1 && step != tuning.n_relief_steps) continue;
         const Eigen::Index column = step == 1 ? 0 : 2;
         const auto along_normals = [&](const auto& vectors) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/scores.hpp"
 
+#include "numerics/symmetric_eigen.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 namespace counterpart::spectral_match {
@@ -29,9 +30,7 @@ double curvature_correlation(const PreparedShape& from, const PreparedShape& to,
 // best proper rotation attains (Kabsch).
 double attained(const Eigen::Matrix3d& covariance) {
     const Eigen::Matrix3d square = covariance.transpose() * covariance;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(square, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3d s = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::Vector3d s = numerics::symmetric_eigenvalues(square).cwiseMax(0.0).cwiseSqrt();
     return s[2] + s[1] + (covariance.determinant() < 0 ? -s[0] : s[0]);
 }
 
