@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/moments.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/align/transform.hpp>
@@ -34,11 +35,11 @@ Affine fit_transform(PointsView source, PointsView target, TransformModel model,
     const Vector w = weights.size() > 0 ? weights : Vector::Ones(count);
     const double total = w.sum();
     if (!(total > 0)) throw InvalidInput("fit: the weights sum to zero");
-    const Eigen::RowVector3d source_mean = w.transpose() * source / total;
-    const Eigen::RowVector3d target_mean = w.transpose() * target / total;
+    const Eigen::RowVector3d source_mean = numerics::weighted_mean(source, w);
+    const Eigen::RowVector3d target_mean = numerics::weighted_mean(target, w);
     const Points x = source.rowwise() - source_mean, y = target.rowwise() - target_mean;
-    const Eigen::Matrix3d moments = x.transpose() * w.asDiagonal() * x;
-    const Eigen::Matrix3d covariance = y.transpose() * w.asDiagonal() * x;
+    const Eigen::Matrix3d moments = numerics::cross_moments(x, w, x);
+    const Eigen::Matrix3d covariance = numerics::cross_moments(y, w, x);
 
     if (model == TransformModel::affine) {
         if (spread(moments) < 3)

@@ -5,6 +5,7 @@
 #include "mesh/surface_box.hpp"
 #include "numerics/closest_triangle.hpp"
 #include "numerics/dense_systems.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
@@ -52,32 +53,57 @@ Vector kept_pairs(const Vector& squared_distances, double trim) {
 constexpr double slide_resistance =
     0.01;  // of a pair along the surface, against 1 across it (tried 0 .. 0.1)
 
+// How a point moves when each of the n unknowns of plane_step grows: one column each.
+using Jacobian = Eigen::Matrix<double, 3, 12>;
+Jacobian jacobian(const Eigen::Vector3d& p, int n) {
+    Jacobian result = Jacobian::Zero();
+    if (n == 12) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) result(i, 3 * i + j) = p[j];
+    } else {
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            result(j, i) = -p[k];
+            result(k, i) = p[j];
+            result(i, 6) = p[i];
+        }
+    }
+    for (int i = 0; i < 3; ++i) result(i, n == 12 ? 9 + i : 3 + i) = 1;
+    return result;
+}
+
+// left += w J' M J, right += w J' M gap with M = all * I + normal normal'. Written out: half of what it takes
+// to compile this file would go into the expression.
+void add_normal_equations(const Jacobian& jacobian, double all, const Eigen::Vector3d& normal,
+                          const Eigen::Vector3d& gap, double weight, Eigen::MatrixXd& left, Vector& right) {
+    const auto n = static_cast<int>(right.size());
+    for (int i = 0; i < n; ++i) {
+        const double along =
+            jacobian(0, i) * normal[0] + jacobian(1, i) * normal[1] + jacobian(2, i) * normal[2];
+        double measured[3];
+        for (int c = 0; c < 3; ++c) measured[c] = weight * (all * jacobian(c, i) + along * normal[c]);
+        for (int j = 0; j < n; ++j)
+            left(i, j) +=
+                measured[0] * jacobian(0, j) + measured[1] * jacobian(1, j) + measured[2] * jacobian(2, j);
+        right[i] += measured[0] * gap[0] + measured[1] * gap[1] + measured[2] * gap[2];
+    }
+}
+
 // How the transform changes at best, to first order: a rotation vector, a translation and for similarities
 // the logarithm of a scale, or the change of the linear part by rows and a translation. About the origin.
 Affine plane_step(PointsView moved, PointsView to, PointsView normals, const Vector& weights,
                   TransformModel model) {
     const int n = model == TransformModel::affine ? 12 : model == TransformModel::similarity ? 7 : 6;
-    const Eigen::RowVector3d center = (weights.transpose() * moved) / weights.sum();
+    const Eigen::RowVector3d center = numerics::weighted_mean(moved, weights);
     Eigen::MatrixXd left = Eigen::MatrixXd::Zero(n, n);
     Vector right = Vector::Zero(n);
-    Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian(3, n);
     for (Eigen::Index v = 0; v < moved.rows(); ++v) {
         if (weights[v] == 0) continue;
-        const Eigen::Vector3d p = (moved.row(v) - center).transpose(), normal = normals.row(v).transpose();
-        if (model == TransformModel::affine) {
-            jacobian.setZero();
-            for (int i = 0; i < 3; ++i) jacobian.block<1, 3>(i, 3 * i) = p.transpose();
-            jacobian.rightCols<3>().setIdentity();
-        } else {
-            jacobian.leftCols<3>() << 0, p.z(), -p.y(), -p.z(), 0, p.x(), p.y(), -p.x(), 0;
-            jacobian.middleCols<3>(3).setIdentity();
-            if (n == 7) jacobian.col(6) = p;
-        }
+        const Eigen::Vector3d p = (moved.row(v) - center).transpose(), normal = normals.row(v).transpose(),
+                              gap = (to.row(v) - moved.row(v)).transpose();
         // A known pair has no normal and counts in every direction.
         const double all = normal.isZero() ? 1 : slide_resistance;
-        const Eigen::Matrix3d metric = all * Eigen::Matrix3d::Identity() + normal * normal.transpose();
-        left += weights[v] * jacobian.transpose() * metric * jacobian;
-        right += weights[v] * jacobian.transpose() * metric * (to.row(v) - moved.row(v)).transpose();
+        add_normal_equations(jacobian(p, n), all, normal, gap, weights[v], left, right);
     }
     const Vector x = numerics::solve_symmetric(left, right);
     Affine step;
@@ -95,7 +121,7 @@ Affine plane_step(PointsView moved, PointsView to, PointsView normals, const Vec
 
 // Rows are the principal axes of the points about their mean, the longest first, right-handed.
 Eigen::Matrix3d principal_axes(PointsView centered) {
-    Eigen::Matrix3d axes = numerics::symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered))
+    Eigen::Matrix3d axes = numerics::symmetric_eigen(numerics::cross_moments(centered, centered))
                                .vectors.transpose()
                                .colwise()
                                .reverse();

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 
 #include <counterpart/align/transform.hpp>
@@ -29,11 +30,11 @@ Similarity kabsch(PointsView source, PointsView target, const Vector& weights, c
     if (w.minCoeff() < 0 || !(total > 0))
         throw InvalidInput("kabsch: weights must be at least 0 and not all 0");
 
-    const Eigen::RowVector3d source_mean = (w.transpose() * source) / total;
-    const Eigen::RowVector3d target_mean = (w.transpose() * target) / total;
+    const Eigen::RowVector3d source_mean = numerics::weighted_mean(source, w);
+    const Eigen::RowVector3d target_mean = numerics::weighted_mean(target, w);
     const Points x = source.rowwise() - source_mean;
     const Points y = target.rowwise() - target_mean;
-    Eigen::Matrix3d covariance = y.transpose() * w.asDiagonal() * x;
+    Eigen::Matrix3d covariance = numerics::cross_moments(y, w, x);
     covariance += options.prior_weight * options.prior_rotation;
     Similarity motion;
     motion.rotation = numerics::fit_rotation(covariance).rotation;

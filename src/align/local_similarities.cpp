@@ -3,6 +3,7 @@
 #include "align/local_similarities.hpp"
 
 #include "base/parallel.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 
 #include <algorithm>
@@ -25,7 +26,8 @@ std::vector<LocalSimilarity> local_similarities(const SparseMatrix& stiffness, P
         for (SparseMatrix::InnerIterator it(stiffness, v); it; ++it) {
             if (it.row() == v) continue;
             const Eigen::RowVector3d at_rest = rest.row(it.row()) - rest.row(v);
-            covariance -= it.value() * (now.row(it.row()) - now.row(v)).transpose() * at_rest;
+            numerics::add_outer(covariance, -it.value(), (now.row(it.row()) - now.row(v)).transpose(),
+                                at_rest.transpose());
             squares -= it.value() * at_rest.squaredNorm();
         }
         LocalSimilarity& similarity = similarities[i];

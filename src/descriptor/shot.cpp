@@ -3,6 +3,7 @@
 #include "descriptor/shot.hpp"
 
 #include "base/parallel.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -34,7 +35,8 @@ Eigen::Matrix3d local_frame(const std::vector<NearPoint>& points, const Eigen::V
                             double radius) {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const NearPoint& p : points)
-        if (p.distance < radius) spread += p.area * (radius - p.distance) * p.offset * p.offset.transpose();
+        if (p.distance < radius)
+            numerics::add_outer(spread, p.area * (radius - p.distance), p.offset, p.offset);
     const Eigen::Matrix3d axes = numerics::symmetric_eigen(spread).vectors;
     Eigen::Vector3d z = axes.col(0), x = axes.col(2);
     if (z.dot(normal) < 0) z = -z;

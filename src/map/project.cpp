@@ -4,6 +4,7 @@
 #include "mesh/fans.hpp"
 #include "numerics/closest_triangle.hpp"
 #include "numerics/dense_systems.hpp"
+#include "numerics/moments.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/project.hpp>
@@ -113,8 +114,8 @@ Eigen::Vector3d fitted_image(MeshView source, const Eigen::RowVector3d& normal,
         const Eigen::RowVector3d offset = source.vertices.row(w) - center;
         const double weight = std::exp(-2 * offset.squaredNorm() / farthest);
         const Eigen::Vector3d basis(1, offset.dot(x_axis), offset.dot(y_axis));
-        normal_matrix += weight * basis * basis.transpose();
-        right += weight * basis * images.row(w);
+        numerics::add_outer(normal_matrix, weight, basis, basis);
+        numerics::add_outer(right, weight, basis, images.row(w).transpose());
     }
     // A little damping, for neighbors on a line.
     normal_matrix(1, 1) += 1e-9 * farthest;

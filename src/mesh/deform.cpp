@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -24,7 +25,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 Eigen::Matrix3d principal_axes(MeshView mesh, const Eigen::RowVector3d& center) {
     const Points offsets = mesh.vertices.rowwise() - center;
     const Vector weights = vertex_areas(mesh);
-    const Eigen::Matrix3d spread = offsets.transpose() * weights.asDiagonal() * offsets;
+    const Eigen::Matrix3d spread = numerics::cross_moments(offsets, weights, offsets);
     Eigen::Matrix3d axes = numerics::symmetric_eigen(spread).vectors.rowwise().reverse().transpose();
     for (int i = 0; i < 2; ++i) {
         const Vector along = offsets * axes.row(i).transpose();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "mesh/surface_box.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -26,10 +27,9 @@ Eigen::Matrix3d surface_covariance(MeshView mesh) {
     const Vector areas = vertex_areas(mesh);
     const double total = areas.sum();
     if (!(total > 0)) return Eigen::Matrix3d::Identity();
-    const Eigen::RowVector3d mean = (areas.transpose() * mesh.vertices) / total;
+    const Eigen::RowVector3d mean = numerics::weighted_mean(mesh.vertices, areas);
     const Points centered = mesh.vertices.rowwise() - mean;
-    const Points weighted = areas.asDiagonal() * centered;
-    return weighted.transpose() * centered / total;
+    return numerics::cross_moments(centered, areas, centered) / total;
 }
 
 Eigen::Vector3d find_up(MeshView mesh, const std::string& name) {
@@ -122,7 +122,7 @@ Camera matching_camera(const Camera& source_view, MeshView source, MeshView targ
     }
     from.rowwise() -= from.colwise().mean().eval();
     const Eigen::Matrix3d target_from_source_rotation =
-        numerics::fit_rotation(to.transpose() * from).rotation;
+        numerics::fit_rotation(numerics::cross_moments(to, from)).rotation;
     const double angle = Eigen::AngleAxisd(target_from_source_rotation).angle();
     if (!std::isfinite(angle) || angle < 40 * degree) return source_view;
     return source_view * target_from_source_rotation.transpose();

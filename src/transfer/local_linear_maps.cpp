@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "transfer/local_linear_maps.hpp"
 
+#include "numerics/moments.hpp"
 #include "numerics/sparse_cholesky.hpp"
 
 #include <counterpart/align/icp.hpp>
@@ -48,11 +49,13 @@ std::vector<Eigen::Matrix3d> local_linear_maps(const SurfaceMap& source_from_tar
     for (const auto& [v, w] : edges) {
         Eigen::Matrix3d known = Eigen::Matrix3d::Zero();
         if (source_from_target[v].matched() && source_from_target[w].matched()) {
-            const Eigen::RowVector3d from = images.row(w) - images.row(v);
-            const Eigen::RowVector3d to = target.vertices.row(w) - target.vertices.row(v);
-            known = scale * from.transpose() * from;
-            right.middleRows<3>(3 * v) += scale * from.transpose() * to;
-            right.middleRows<3>(3 * w) += scale * from.transpose() * to;
+            const Eigen::Vector3d from = (images.row(w) - images.row(v)).transpose(),
+                                  to = (target.vertices.row(w) - target.vertices.row(v)).transpose();
+            numerics::add_outer(known, scale, from, from);
+            Eigen::Matrix3d image = Eigen::Matrix3d::Zero();
+            numerics::add_outer(image, scale, from, to);
+            right.middleRows<3>(3 * v) += image;
+            right.middleRows<3>(3 * w) += image;
         }
         known.diagonal().array() += options.smoothness;
         blocks[static_cast<std::size_t>(v)] += known;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/sparse_cholesky.hpp"
 #include "transfer/rigid_elements.hpp"
@@ -140,7 +141,7 @@ Morph::Morph(MeshView first, PointsView last, const MorphOptions& options) : imp
     m.last_mean = last.colwise().mean();
     m.from = first.vertices.rowwise() - m.first_mean;
     const Points centered = last.rowwise() - m.last_mean;
-    const Eigen::Matrix3d turn = numerics::fit_rotation(centered.transpose() * m.from).rotation;
+    const Eigen::Matrix3d turn = numerics::fit_rotation(numerics::cross_moments(centered, m.from)).rotation;
     m.global_turn = numerics::rotation_vector(Eigen::Quaterniond(turn));
     m.to = centered * turn;
     with_threads(options.n_threads, [&] {

@@ -12,12 +12,8 @@ struct Similarity {
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
     double scale = 1;
 
-    Eigen::RowVector3d operator()(const Eigen::RowVector3d& point) const {
-        return (scale * (rotation * point.transpose()) + translation).transpose();
-    }
-    Points operator()(PointsView points) const {
-        return (scale * (points * rotation.transpose())).rowwise() + translation.transpose();
-    }
+    Eigen::RowVector3d operator()(const Eigen::RowVector3d& point) const;
+    Points operator()(PointsView points) const;
     Points operator()(const Points& points) const { return (*this)(PointsView(points)); }
 };
 
@@ -52,9 +48,7 @@ struct Affine {
     Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
 
-    Points operator()(PointsView points) const {
-        return (points * linear.transpose()).rowwise() + translation.transpose();
-    }
+    Points operator()(PointsView points) const;
 };
 
 /// The transform of the given model with the least sum of weights times squared distances between transformed

@@ -4,6 +4,7 @@
 // Several components of one connectivity: which is which is a matter of position.
 #include "match/frontiers/component_match.hpp"
 #include "match/frontiers/side.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
 #include <counterpart/align/transform.hpp>
@@ -25,7 +26,7 @@ struct Moments {
     Eigen::Matrix3d spread;  // covariance over its square root of trace, in units of length
     explicit Moments(PointsView points) : mean(points.colwise().mean().transpose()) {
         const Points centered = points.rowwise() - mean.transpose();
-        spread = centered.transpose() * centered / static_cast<double>(points.rows());
+        spread = numerics::cross_moments(centered, centered) / static_cast<double>(points.rows());
         const double size = std::sqrt(spread.trace());
         if (size > 0) spread /= size;
     }

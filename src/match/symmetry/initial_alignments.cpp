@@ -4,6 +4,7 @@
 
 #include "match/symmetry/component_assignment.hpp"
 #include "match/symmetry/tuning.hpp"
+#include "numerics/moments.hpp"
 #include "numerics/nearest_neighbors.hpp"
 #include "numerics/symmetric_eigen.hpp"
 
@@ -60,7 +61,7 @@ std::vector<Alignment> by_principal_axes(const MatchedMaps& maps, bool reversed)
     const Points source = from.rowwise() - source_mean, target = to.rowwise() - target_mean;
     const auto axes = [](PointsView centered) {
         Eigen::Matrix3d vectors =
-            numerics::symmetric_eigen(Eigen::Matrix3d(centered.transpose() * centered)).vectors;
+            numerics::symmetric_eigen(numerics::cross_moments(centered, centered)).vectors;
         if (vectors.determinant() < 0) vectors.col(0) *= -1;
         return vectors;
     };
