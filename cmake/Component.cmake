@@ -16,7 +16,9 @@ function(counterpart_add_component name)
     return()
   elseif(name STREQUAL "core")
     target_precompile_headers(${target} PRIVATE
-      <Eigen/Core> <Eigen/Geometry> <Eigen/SparseCore> <algorithm> <filesystem> <functional> <fmt/format.h>)
+      <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <Eigen/SparseCore> <algorithm> <array> <cmath> <filesystem> <functional> <memory>
+      <numeric> <optional> <string> <utility> <vector> <fmt/format.h>
+      <tbb/parallel_for.h> <tbb/parallel_invoke.h> <tbb/task_arena.h>)
   else()
     target_precompile_headers(${target} REUSE_FROM counterpart_core)
   endif()
