@@ -16,6 +16,7 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace counterpart {
