@@ -2,13 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 """Makes the pages of the site in build/docs/pages: those of docs/, the executed tutorials, the commands' help, the
-C++ headers. scripts/docs.sh calls it."""
+C++ headers. With --quick the tutorials are not executed: pages without outputs. scripts/docs.sh calls it."""
 
 import os
 import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
@@ -28,14 +29,20 @@ def copy_pages() -> None:
     shutil.copytree(ROOT / "docs", PAGES, ignore=shutil.ignore_patterns("*.ipynb", "*.py", "requirements.txt"))
 
 
-def tutorial(file: pathlib.Path) -> None:
-    """Executes a notebook and makes a page of it. Sockets in the file system: no port is opened."""
-    folder = PAGES / "tutorials"
-    notebook = nbformat.read(file, as_version=4)
+def execute(notebook: nbformat.NotebookNode, folder: pathlib.Path) -> None:
+    """Sockets in the file system: no port is opened."""
     with tempfile.TemporaryDirectory() as sockets:
         config = Config(KernelManager={"transport": "ipc", "ip": f"{sockets}/kernel"})
         metadata = {"metadata": {"path": str(folder)}}
         NotebookClient(notebook, config=config, timeout=300, resources=metadata).execute()
+
+
+def tutorial(file: pathlib.Path) -> None:
+    """Makes a page of a notebook."""
+    folder = PAGES / "tutorials"
+    notebook = nbformat.read(file, as_version=4)
+    if "--quick" not in sys.argv:
+        execute(notebook, folder)
     text, resources = MarkdownExporter().from_notebook_node(notebook)
     for name, data in resources["outputs"].items():
         picture = f"{file.stem}_{name}"

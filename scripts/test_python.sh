@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Builds the Python package on the library of build/release and checks it: tests, doctests, types, style. What it and
-# scripts/docs.sh need from PyPI goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
+# Builds the Python package on the library of build/release and checks it: tests, doctests, types, style; with --quick
+# without the types of examples, benchmarks and tutorials as pyright sees them. What it and scripts/docs.sh need from PyPI
+# goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
@@ -19,6 +20,6 @@ export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/buil
 "$venv/bin/python" -m pytest -q -n 2 --doctest-modules python/tests "$PYTHONPATH/counterpart"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart" python/examples benchmarks/python build/tutorials
-"$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
+[ "${1:-}" = --quick ] || "$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
 "$venv/bin/ruff" check --no-cache .
 "$venv/bin/ruff" format --no-cache --check .

@@ -31,9 +31,11 @@ const auto by_name = [](const auto& info) { return std::string(info.param.name);
 INSTANTIATE_TEST_SUITE_P(Readers, FuzzCases,
                          testing::ValuesIn(fuzz::reader_targets().begin(), fuzz::reader_targets().end()),
                          by_name);
+#ifndef COUNTERPART_FUZZ_READERS
 INSTANTIATE_TEST_SUITE_P(Matchers, FuzzCases,
                          testing::ValuesIn(fuzz::matcher_targets().begin(), fuzz::matcher_targets().end()),
                          by_name);
+#endif
 
 }  // namespace
 }  // namespace counterpart
