@@ -13,7 +13,11 @@ namespace counterpart::spectral_match {
 namespace {
 
 struct SpectralConfidence : testing::Test {
-    const PreparedShape shape = prepare(make_icosphere(3), {.n_functions = 40, .n_samples = 300});
+    static const PreparedShape& sphere() {  // prepared once for all tests
+        static const PreparedShape shape = prepare(make_icosphere(3), {.n_functions = 40, .n_samples = 300});
+        return shape;
+    }
+    const PreparedShape& shape = sphere();
     const SampledPair pair{shape, shape, 300, 0};
     std::vector<Index> identity, one_side_moved;  // of samples
     PairedMaps whole;                             // identity of vertices

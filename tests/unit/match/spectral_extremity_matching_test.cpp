@@ -44,7 +44,12 @@ PreparedShape without_fine_ones(PreparedShape shape) {
 }
 
 struct SpectralExtremityMatching : testing::Test {
-    const PreparedShape shape = prepare(two_hands_and_a_head(), {.n_functions = 40, .n_samples = 300});
+    static const PreparedShape& hands() {  // prepared once for all tests
+        static const PreparedShape shape =
+            prepare(two_hands_and_a_head(), {.n_functions = 40, .n_samples = 300});
+        return shape;
+    }
+    const PreparedShape& shape = hands();
     const SampledPair pair{shape, shape, 300, 0.3};
     ExtremityTuning tuning;
 };

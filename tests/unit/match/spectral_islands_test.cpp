@@ -33,7 +33,11 @@ TriangleMesh egg() {
 
 class SpectralIslands : public testing::Test {
   protected:
-    const PreparedShape shape = prepare(egg(), {.n_functions = 100, .n_samples = 400});
+    static const PreparedShape& egg_with_ears() {  // prepared once for all tests
+        static const PreparedShape shape = prepare(egg(), {.n_functions = 100, .n_samples = 400});
+        return shape;
+    }
+    const PreparedShape& shape = egg_with_ears();
     const PointsView x{shape.mesh.vertices};
     const double end = x.col(1).maxCoeff();  // of the y axis, where the ears are
     const double ear_x = x(nearest({0, end, 0}), 0);

@@ -20,8 +20,17 @@ struct SpectralRefinedScore : testing::Test {
         return mesh;
     }
 
-    const PreparedShape a = prepare(test::three_spikes(3), {.n_functions = 60, .n_samples = 300}),
-                        b = prepare(turned(test::three_spikes(3)), {.n_functions = 60, .n_samples = 300});
+    static const PreparedShape& spikes() {  // prepared once for all tests
+        static const PreparedShape shape =
+            prepare(test::three_spikes(3), {.n_functions = 60, .n_samples = 300});
+        return shape;
+    }
+    static const PreparedShape& turned_spikes() {  // prepared once for all tests
+        static const PreparedShape shape =
+            prepare(turned(test::three_spikes(3)), {.n_functions = 60, .n_samples = 300});
+        return shape;
+    }
+    const PreparedShape &a = spikes(), &b = turned_spikes();
     const SampledPair all{a, b, all_samples, CueTuning{}.radius};
     Candidate right, wrong;  // `wrong` exchanges +y and -y
 

@@ -134,8 +134,18 @@ TEST(SpectralRefinement, UndoesSlidingAndTreatsBothShapesAlike) {
 // A limb that ends halfway down a longer one.
 struct SpectralShorterLimb : testing::Test {
     const TriangleMesh shorter = test::three_spikes(), longer = test::with_longer_spike(shorter);
-    const PreparationOptions options{.n_functions = 100, .n_samples = 300};
-    const PreparedShape a = prepare(shorter, options), b = prepare(longer, options);
+    static PreparedShape prepared(const TriangleMesh& mesh) {
+        return prepare(mesh, {.n_functions = 100, .n_samples = 300});
+    }
+    static const PreparedShape& short_limb() {  // prepared once for all tests
+        static const PreparedShape shape = prepared(test::three_spikes());
+        return shape;
+    }
+    static const PreparedShape& long_limb() {
+        static const PreparedShape shape = prepared(test::with_longer_spike(test::three_spikes()));
+        return shape;
+    }
+    const PreparedShape &a = short_limb(), &b = long_limb();
     Priors priors;
     Candidate start;
     Eigen::Index tip = 0;

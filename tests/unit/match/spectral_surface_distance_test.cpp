@@ -12,7 +12,11 @@ namespace counterpart::spectral_match {
 namespace {
 
 struct SpectralSurfaceDistance : testing::Test {
-    const PreparedShape shape = prepare(test::horseshoe(), {.n_functions = 20, .n_samples = 200});
+    static const PreparedShape& horseshoe() {  // prepared once for all tests
+        static const PreparedShape shape = prepare(test::horseshoe(), {.n_functions = 20, .n_samples = 200});
+        return shape;
+    }
+    const PreparedShape& shape = horseshoe();
     const SurfaceDistanceBound distance{shape};
 
     double straight(Index v, Index w) const {
