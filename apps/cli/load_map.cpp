@@ -61,13 +61,13 @@ std::string caution(const Json& report) {
 }
 
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
-    if (landmarks.size() < 3 && pair.source.n_vertices() == pair.target.n_vertices() &&
+    if (landmarks.empty() && pair.source.n_vertices() == pair.target.n_vertices() &&
         pair.source.triangles == pair.target.triangles) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
         return {identity_map(pair.source.n_vertices())};
     }
     MatchOptions how{.n_threads = options.threads, .progress = progress_bar("matching", options)};
-    if (landmarks.size() >= 3) how.spectral.landmarks = landmarks;
+    how.spectral.landmarks = landmarks;
     const MatchResult result = match(pair.source, pair.target, how);
     how.progress = {};
     say(options,

@@ -88,7 +88,9 @@ MatchOptions SpectralArguments::match_options_for(const MatchInput& input) const
                         .progress = input.progress};
     if (!cache.empty())
         result.prepared_shape = [folder = cache](MeshView mesh, const SpectralShapeOptions& prepared) {
-            return cached_spectral_shape(folder, mesh, prepared);
+            CachedShape found = cached_spectral_shape(folder, mesh, prepared);
+            if (!found.warning.empty()) warn(found.warning);
+            return std::move(found.shape);
         };
     return result;
 }

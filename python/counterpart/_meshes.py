@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from inspect import signature as inspect_signature
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -84,6 +85,10 @@ class Mesh:
         for name, displacements in (morphs or {}).items():
             content.add_morph(name, floats(displacements, f"morph {name}", (-1, 3)))
         self._content = content
+        self._vertices, self._triangles = content.vertices, content.triangles  # it has copies: one truth
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._content or (self._vertices, self._triangles), self.notices)
 
     @classmethod
     def from_polygons(cls, vertices: Any, sizes: Any, corners: Any) -> Mesh:
@@ -130,12 +135,12 @@ class Mesh:
 
     @property
     def vertices(self) -> FloatArray:
-        """Positions, n_vertices x 3."""
+        """Positions, n_vertices x 3: the array that was given, or, of a file or with attributes, a read-only one."""
         return self._vertices
 
     @property
     def triangles(self) -> IntArray:
-        """Vertex numbers from 0, n_triangles x 3."""
+        """Vertex numbers from 0, n_triangles x 3; as `vertices`."""
         return self._triangles
 
     @property
@@ -150,10 +155,12 @@ class Mesh:
 
     @property
     def n_vertices(self) -> int:
+        """How many vertices there are."""
         return len(self._vertices)
 
     @property
     def n_triangles(self) -> int:
+        """How many triangles there are."""
         return len(self._triangles)
 
     @property
@@ -181,6 +188,10 @@ class Mesh:
         """The displacements (n_vertices x 3) of each morph target, by name."""
         return dict(self._content.morphs) if self._content else {}
 
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Write the mesh as `write` does: the extension decides the format."""
+        write(self, file)
+
     def __iter__(self) -> Iterator[Any]:
         return iter((self._vertices, self._triangles))
 
@@ -194,8 +205,60 @@ class Mesh:
         return f"Mesh({', '.join([f'{self.n_vertices} vertices', f'{self.n_triangles} triangles', *kinds])})"
 
 
-MeshLike = str | os.PathLike[str] | Mesh | tuple[Any, Any] | Any
-"""A path, a `Mesh`, a pair (vertices, triangles), or a mesh of trimesh, Open3D, pyvista or meshio."""
+class _WithFaces(Protocol):  # trimesh
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def faces(self) -> Any: ...
+
+
+class _WithTriangles(Protocol):  # Open3D
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def triangles(self) -> Any: ...
+
+
+class _WithLists(Protocol):  # pyFM
+    @property
+    def vertlist(self) -> Any: ...
+    @property
+    def facelist(self) -> Any: ...
+
+
+class _WithPoints(Protocol):  # pyvista, meshio
+    @property
+    def points(self) -> Any: ...
+
+
+class _WithMesh(Protocol):  # SpectralShape, ReorderResult, TransferResult
+    @property
+    def mesh(self) -> Mesh | None: ...
+
+
+MeshLike = (
+    str
+    | os.PathLike[str]
+    | Mesh
+    | tuple[Any, Any]
+    | list[Any]
+    | _WithFaces
+    | _WithTriangles
+    | _WithLists
+    | _WithPoints
+    | _WithMesh
+)
+"""A path, a `Mesh`, a pair (vertices, triangles), a mesh of trimesh, Open3D, pyvista or meshio, or what holds a `mesh`:
+a `SpectralShape`, a result of `reorder` or `transfer`."""
+
+
+def _restored(content: Any, notices: list[str]) -> Mesh:
+    """What was pickled."""
+    if isinstance(content, _core.Content):
+        return Mesh._of(content, notices)
+    mesh = Mesh(*content)
+    mesh.notices = notices
+    return mesh
 
 
 def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple[FloatArray, IntArray]:
@@ -223,17 +286,47 @@ def _of_meshio(mesh: Any) -> Mesh:
     return Mesh.from_polygons(points, sizes, np.concatenate([block.ravel() for block in faces]))
 
 
+_WITHOUT_AREA = (0, 1, 2, 3, 4)  # VTK: empty, vertex, poly vertex, line, poly line
+
+
+def _of_grid(grid: Any) -> Mesh:
+    """pyvista's UnstructuredGrid: its faces, or the surface of its solid cells, over all of its points."""
+    kinds = np.asarray(grid.celltypes)
+    if np.isin(kinds, _WITHOUT_AREA).all():
+        raise InvalidInput("only surfaces can be matched, this grid has no cells with an area")
+    # Newer versions of pyvista want to hear which filter is meant.
+    named = (
+        {"algorithm": "dataset_surface"} if "algorithm" in inspect_signature(grid.extract_surface).parameters else {}
+    )
+    surface = grid.extract_surface(pass_pointid=True, pass_cellid=False, **named)
+    number = np.asarray(surface.point_data["vtkOriginalPointIds"])
+    sizes, corners = _faces_of(np.asarray(surface.faces))
+    return _of_faces(grid.points, sizes, number[corners])
+
+
 def _of_pyvista(mesh: Any) -> Mesh:
-    faces = np.asarray(mesh.faces)
-    if mesh.is_all_triangles:
-        return Mesh(mesh.points, faces.reshape(-1, 4)[:, 1:])
+    if getattr(mesh, "n_strips", 0):
+        mesh = mesh.triangulate()
+    return _of_faces(mesh.points, *_faces_of(np.asarray(mesh.faces)))
+
+
+def _of_faces(points: Any, sizes: Any, corners: Any) -> Mesh:
+    if (sizes == 3).all():
+        return Mesh(points, corners.reshape(-1, 3))
+    return Mesh.from_polygons(points, sizes, corners)
+
+
+def _faces_of(faces: Any) -> tuple[Any, Any]:
+    """How many corners each face has, and the corners."""
+    if len(faces) % 4 == 0 and (faces[::4] == 3).all():
+        return faces[::4], faces.reshape(-1, 4)[:, 1:].ravel()
     sizes, at = [], 0  # each face's number of corners stands before them
     is_corner = np.ones(len(faces), bool)
     while at < len(faces):
         is_corner[at] = False
         sizes.append(int(faces[at]))
         at += sizes[-1] + 1
-    return Mesh.from_polygons(mesh.points, sizes, faces[is_corner])
+    return np.array(sizes), faces[is_corner]
 
 
 def _mesh_of(mesh: MeshLike) -> Mesh:
@@ -241,10 +334,17 @@ def _mesh_of(mesh: MeshLike) -> Mesh:
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
         return read(mesh)
+    if hasattr(mesh, "celltypes") and hasattr(mesh, "extract_surface"):
+        return _of_grid(mesh)
     if hasattr(mesh, "cells_dict") and hasattr(mesh, "points"):
         return _of_meshio(mesh)
     if hasattr(mesh, "is_all_triangles") and hasattr(mesh, "points"):
         return _of_pyvista(mesh)
+    held = getattr(mesh, "mesh", mesh)
+    if isinstance(held, Mesh):
+        return held
+    if held is None and mesh is not None:
+        raise InvalidInput(f"this {type(mesh).__name__} comes from a file, which does not hold its mesh: give the mesh")
     return Mesh(*_pair_of(mesh))
 
 
@@ -267,7 +367,7 @@ def _pair_of(mesh: Any) -> tuple[Any, Any]:
 
 
 def core_mesh(mesh: MeshLike) -> _core.Mesh:
-    """The mesh as the library sees it: the arrays themselves, checked, and its polygons."""
+    """The mesh as the library sees it: a copy of its arrays, checked, or what a file held, with its polygons."""
     found = _mesh_of(mesh)
     return _core.Mesh(found._content) if found._content else _core.Mesh(found.vertices, found.triangles)
 

@@ -6,6 +6,7 @@
 #include "bindings.hpp"
 #include "call.hpp"
 
+#include <counterpart/io/gltf.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
@@ -22,17 +23,19 @@ namespace {
 
 using namespace nb::literals;
 
-// An array of what `content` holds, which it keeps alive.
+template <class T>
+using ReadOnly = NewMatrix<const T>;
+
+// An array of what `content` holds, which it keeps alive: read-only, since the library trusts what it holds.
 template <class Derived>
-NewMatrix<typename Derived::Scalar> view_of(AttributedMesh& content,
-                                            Eigen::PlainObjectBase<Derived>& matrix) {
+ReadOnly<typename Derived::Scalar> view_of(AttributedMesh& content, Eigen::PlainObjectBase<Derived>& matrix) {
     static_assert(Derived::IsRowMajor);
     return {matrix.data(),
             {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
             nb::find(content)};
 }
 
-using AttributeArrays = std::tuple<NewMatrix<double>, NewMatrix<Index>>;
+using AttributeArrays = std::tuple<ReadOnly<double>, ReadOnly<Index>>;
 
 std::optional<AttributeArrays> view_of(AttributedMesh& content, CornerAttribute& attribute) {
     if (attribute.corners.rows() == 0) return std::nullopt;
@@ -70,6 +73,52 @@ SkinBinding skin_of(const JointArray& joints, const MatrixArray& weights) {
             map_of(weights)};
 }
 
+nb::object document_state(const AttributedMesh& content) {
+    if (!content.document) return nb::none();
+    const std::string bytes = content.document->to_bytes();
+    return nb::bytes(bytes.data(), bytes.size());
+}
+
+// All that a mesh holds, in the order of `restore`.
+nb::tuple state_of(AttributedMesh& self) {
+    nb::list morphs;
+    for (MorphTarget& morph : self.morphs)
+        morphs.append(nb::make_tuple(morph.name, view_of(self, morph.displacements)));
+    return nb::make_tuple(view_of(self, self.mesh.vertices), view_of(self, self.mesh.triangles),
+                          array(self.mesh.polygons.first), view_of(self, self.mesh.polygons.corners),
+                          view_of(self, self.normals), view_of(self, self.texture_coordinates),
+                          view_of(self, self.colors), view_of(self, self.skin.joints),
+                          view_of(self, self.skin.weights), morphs, array(self.parts), self.part_names,
+                          document_state(self));
+}
+
+using AttributeState = std::tuple<MatrixArray, TriangleArray>;
+using State = std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
+                         std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
+                         std::vector<std::tuple<std::string, PointArray>>, IndexArray,
+                         std::vector<std::string>, std::optional<nb::bytes>>;
+
+AttributedMesh restore(const State& state) {
+    const auto& [vertices, triangles, first, corners, normals, texture_coordinates, colors, joints, weights,
+                 morphs, parts, part_names, document] = state;
+    AttributedMesh self;
+    self.mesh = {map_of(vertices), map_of(triangles), {vector_of(first), map_of(corners)}};
+    require_valid(self.mesh);
+    const auto attribute = [](const AttributeState& pair) {
+        return attribute_of(std::get<0>(pair), std::get<1>(pair));
+    };
+    if (normals) self.normals = attribute(*normals);
+    for (const AttributeState& pair : texture_coordinates)
+        self.texture_coordinates.push_back(attribute(pair));
+    for (const AttributeState& pair : colors) self.colors.push_back(attribute(pair));
+    self.skin = skin_of(joints, weights);
+    for (const auto& [name, displacements] : morphs) self.morphs.push_back({name, map_of(displacements)});
+    self.parts = vector_of(parts);
+    self.part_names = part_names;
+    if (document) self.document = document_from_bytes({document->c_str(), document->size()});
+    return self;
+}
+
 }  // namespace
 
 void bind_content(nb::module_& module) {
@@ -87,12 +136,15 @@ void bind_content(nb::module_& module) {
             "of_polygons",
             [](const PointArray& vertices, const IndexArray& sizes, const IndexArray& corners) {
                 AttributedMesh content;
-                content.mesh = cut_into_triangles(map_of(vertices), {sizes.data(), sizes.size()},
-                                                  {corners.data(), corners.size()});
+                const Points copy = map_of(vertices);
+                content.mesh = cut_into_triangles(copy, vector_of(sizes), vector_of(corners));
                 require_valid(content.mesh);
                 return content;
             },
             "vertices"_a.noconvert(), "sizes"_a.noconvert(), "corners"_a.noconvert())
+        .def("__getstate__", &state_of)
+        .def("__setstate__",
+             [](AttributedMesh& self, const State& state) { new (&self) AttributedMesh(restore(state)); })
         .def_prop_ro(
             "polygons", [](const AttributedMesh& self) { return polygons_of(self.mesh); },
             nb::rv_policy::move)
@@ -104,13 +156,13 @@ void bind_content(nb::module_& module) {
         .def_prop_ro("colors", [](AttributedMesh& self) { return view_of(self, self.colors); })
         .def_prop_ro(
             "skin",
-            [](AttributedMesh& self) -> std::optional<std::tuple<NewMatrix<Index>, NewMatrix<double>>> {
+            [](AttributedMesh& self) -> std::optional<std::tuple<ReadOnly<Index>, ReadOnly<double>>> {
                 if (self.skin.joints.rows() == 0) return std::nullopt;
                 return std::tuple(view_of(self, self.skin.joints), view_of(self, self.skin.weights));
             })
         .def_prop_ro("morphs",
                      [](AttributedMesh& self) {
-                         std::map<std::string, NewMatrix<double>> morphs;
+                         std::map<std::string, ReadOnly<double>> morphs;
                          for (MorphTarget& morph : self.morphs)
                              morphs.insert_or_assign(morph.name, view_of(self, morph.displacements));
                          return morphs;

@@ -103,6 +103,46 @@ def test_pyvista():
     assert counterpart.inspect(pyvista.Plane())["n_boundary_edges"] == 40  # of quads
 
 
+@pytest.mark.parametrize("kind", ["triangles", "quads", "solid", "mixed"])
+def test_pyvista_grids(kind, tmp_path):
+    """What pyvista.read gives of many formats: its points are kept, all of them, in their order."""
+    pyvista = pytest.importorskip("pyvista")
+    unused = np.vstack([CUBE, [[9, 9, 9]]])  # a point that no cell names
+    cells = {
+        "triangles": {5: counterpart.Mesh.from_polygons(CUBE, [4] * 6, QUADS.ravel()).triangles},
+        "quads": {9: QUADS},
+        "solid": {12: np.array([[0, 1, 3, 2, 4, 5, 7, 6]])},
+        "mixed": {3: np.array([[0, 1]]), 9: QUADS},
+    }[kind]
+    grid = pyvista.UnstructuredGrid(cells, unused)
+    mesh = counterpart.match(grid, grid)
+    assert mesh.method == "exact" and len(mesh.target_from_source) == 9
+    report = counterpart.inspect(grid)
+    assert report["n_vertices"] == 9 and report["n_boundary_edges"] == 0 and report["area"] == pytest.approx(10)
+    with pytest.raises(counterpart.InvalidInput, match="no cells with an area"):
+        counterpart.inspect(pyvista.UnstructuredGrid({3: np.array([[0, 1]])}, unused))
+
+
+def test_pyvista_reads_what_is_written(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    counterpart.Mesh(V, T).save(tmp_path / "a.off")
+    counterpart.Mesh(V, T).save(tmp_path / "a.stl")
+    assert counterpart.match(pyvista.read(tmp_path / "a.stl"), (V, T)).method == "exact"
+
+
+def test_variants_keep_polygons(tmp_path):
+    quads = counterpart.Mesh.from_polygons(CUBE, [4] * 6, QUADS.ravel())
+    shuffled, truth = counterpart.shuffle(quads, 3)
+    assert sorted(shuffled.polygons[0]) == 6 * [4]
+    np.testing.assert_array_equal(shuffled.vertices[truth], quads.vertices)
+    named = {tuple(sorted(truth[quad])) for quad in QUADS}
+    assert {tuple(sorted(quad)) for quad in shuffled.polygons[1].reshape(6, 4)} == named
+    assert counterpart.deform(quads, bend=0.1).polygons is not None
+    assert counterpart.move_at_random(quads).polygons is not None
+    shuffled.save(tmp_path / "cube.obj")
+    assert counterpart.match(quads, tmp_path / "cube.obj").method == "exact"
+
+
 def test_open3d():
     open3d = pytest.importorskip("open3d")
     mesh = open3d.geometry.TriangleMesh.create_sphere()

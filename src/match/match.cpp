@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
 #include "match/differences/beyond.hpp"
 #include "match/differences/sure_pairs.hpp"
 #include "match/partial/roles.hpp"
@@ -50,8 +51,9 @@ class Matching {
         require_valid(target);
         if (!(options.min_shared >= least_min_shared && options.min_shared <= 1))
             throw InvalidInput(fmt::format("min_shared must be from 0.5 to 1, not {}", options.min_shared));
-        if (options.n_threads < 0)
-            throw InvalidInput(fmt::format("n_threads must be 0 (all) or more, not {}", options.n_threads));
+        if (options.n_threads < 0 || options.n_threads > max_threads)
+            throw InvalidInput(
+                fmt::format("n_threads must be 0 (all) to {}, not {}", max_threads, options.n_threads));
     }
 
     MatchResult automatic() {

@@ -5,13 +5,19 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <limits>
+
 #include <fmt/format.h>
 
 namespace counterpart {
 
 void require_valid(MeshView mesh) {
-    if (mesh.n_vertices() == 0) throw InvalidInput("the mesh has no vertices");
-    if (mesh.n_triangles() == 0)
+    if (mesh.vertices.rows() == 0) throw InvalidInput("the mesh has no vertices");
+    if (mesh.vertices.rows() > std::numeric_limits<Index>::max())
+        throw InvalidInput(
+            fmt::format("the mesh has {} vertices; at most {} are supported: decimate it first",
+                        mesh.vertices.rows(), std::numeric_limits<Index>::max()));
+    if (mesh.triangles.rows() == 0)
         throw InvalidInput("the mesh has no faces: a point cloud cannot be matched as a surface");
     if (mesh.triangles.rows() > max_triangles) {
         throw InvalidInput(

@@ -35,6 +35,9 @@ class Document {
   public:
     virtual ~Document() = default;
 
+    /// The document to be kept, whole; document_from_bytes (io/gltf.hpp) makes it again. Files that it names
+    /// beside its own stay where they are.
+    virtual std::string to_bytes() const = 0;
     virtual bool has_materials() const = 0;
     virtual std::shared_ptr<const Document> without_materials() const = 0;
     /// Without skins and animations.
