@@ -112,9 +112,8 @@ void run_with_differences(const ReorderCommand& command, AttributedMesh source, 
 }
 
 void run(const ReorderCommand& command) {
-    if (auto source = load_solid(command.source, command.common))
-        if (const auto target = load_solid(command.target, command.common))
-            return run_solids(command, std::move(*source), *target);
+    if (auto solids = load_solids(command.source, command.target, command.common))
+        return run_solids(command, std::move(solids->first), solids->second);
     Stopwatch watch;
     const AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
     const AttributedMesh target_content = load_attributed_mesh(command.target, command.common);

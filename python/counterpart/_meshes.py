@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers
+from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._core import InvalidInput
 
 Attribute = tuple[FloatArray, IntArray]
@@ -39,6 +39,8 @@ class Mesh:
         Both n_vertices x k: joint numbers, and weights that sum to 1 in each row.
     morphs : mapping of str to array_like, optional
         Displacements (n_vertices x 3) of each morph target.
+    values : mapping of str to array_like, optional
+        What was measured at each vertex, or its label, by name: n_vertices, or n_vertices x k.
 
     Examples
     --------
@@ -66,12 +68,13 @@ class Mesh:
         colors: Sequence[tuple[Any, Any]] = (),
         skin: tuple[Any, Any] | None = None,
         morphs: Mapping[str, Any] | None = None,
+        values: Mapping[str, Any] | None = None,
     ) -> None:
         self._vertices = floats(vertices, "vertices", (-1, 3))
         self._triangles = integers(triangles, "triangles", (-1, 3))
         self._content: _core.Content | None = None
         self.notices = []
-        if normals is None and not texture_coordinates and not colors and skin is None and not morphs:
+        if normals is None and not texture_coordinates and not colors and skin is None and not morphs and not values:
             return
         content = _core.Content(self._vertices, self._triangles)
         if normals is not None:
@@ -84,6 +87,9 @@ class Mesh:
             content.set_skin(integers(skin[0], "joints", (-1, -1)), floats(skin[1], "weights", (-1, -1)))
         for name, displacements in (morphs or {}).items():
             content.add_morph(name, floats(displacements, f"morph {name}", (-1, 3)))
+        for name, column in (values or {}).items():
+            array = real_numbers(column, f"values {name}")
+            content.add_values(name, floats(array.reshape(len(array), -1) if array.ndim else array, name, (-1, -1)))
         self._content = content
         self._vertices, self._triangles = content.vertices, content.triangles  # it has copies: one truth
 
@@ -187,6 +193,17 @@ class Mesh:
     def morphs(self) -> dict[str, FloatArray]:
         """The displacements (n_vertices x 3) of each morph target, by name."""
         return dict(self._content.morphs) if self._content else {}
+
+    @property
+    def values(self) -> dict[str, FloatArray]:
+        """What was measured at each vertex, or its label, by name: n_vertices, or n_vertices x k."""
+        held = self._content.values if self._content else {}
+        return {name: column[:, 0] if column.shape[1] == 1 else column for name, column in held.items()}
+
+    @property
+    def left_out(self) -> IntArray:
+        """Vertices whose coordinates in the file are no numbers: no triangle names them, and `match` gives them -1."""
+        return self._content.left_out if self._content else np.empty(0, np.int32)
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Write the mesh as `write` does: the extension decides the format."""
@@ -378,10 +395,11 @@ def content_of(mesh: MeshLike) -> _core.Content:
     return found._content or _core.Content(found.vertices, found.triangles)
 
 
-def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
-    """Read OFF, OBJ, PLY, STL or glTF (.glb, .gltf) with the polygons and attributes that the format holds.
+def read(file: str | os.PathLike[str], *, allow_external: bool = False, strict: bool = False) -> Mesh:
+    """Read a mesh with the polygons and attributes that its format holds.
 
-    Vertices are those of the file, in its order (STL and glTF, which split them: merged again).
+    OFF, OBJ, PLY, STL, glTF (.glb, .gltf), VTK (.vtk, .vtp) and GIfTI (.gii) are read, and the surfaces of solids
+    (.msh, .mesh, .vtk, .ele). Vertices are those of the file, in its order; STL and glTF split them, here they are merged.
 
     Parameters
     ----------
@@ -389,18 +407,21 @@ def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
         Its extension decides the format.
     allow_external : bool
         Follow what a glTF file names outside its own folder.
+    strict : bool
+        Refuse vertices whose coordinates are no numbers. Else they are left out with a notice (`Mesh.left_out`).
 
     Raises
     ------
     IoError
         The file cannot be read; names the file, the line and the reason.
     """
-    content, notices = _core.read(os.fspath(file), allow_external)
+    content, notices = _core.read(os.fspath(file), allow_external, strict)
     return Mesh._of(content, notices)
 
 
 def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:
-    """Write a mesh with the attributes that the format of the extension holds: OFF, OBJ, PLY, STL, glTF.
+    """Write a mesh with the attributes that the format of the extension holds: OFF, OBJ, PLY, STL, glTF, VTK
+    (.vtk, .vtp).
 
     The file appears whole or not at all.
 

@@ -84,25 +84,30 @@ nb::tuple state_of(AttributedMesh& self) {
     nb::list morphs;
     for (MorphTarget& morph : self.morphs)
         morphs.append(nb::make_tuple(morph.name, view_of(self, morph.displacements)));
+    nb::list values;
+    for (VertexValues& column : self.values)
+        values.append(nb::make_tuple(column.name, view_of(self, column.values)));
     return nb::make_tuple(view_of(self, self.mesh.vertices), view_of(self, self.mesh.triangles),
                           array(self.mesh.polygons.first), view_of(self, self.mesh.polygons.corners),
                           view_of(self, self.normals), view_of(self, self.texture_coordinates),
                           view_of(self, self.colors), view_of(self, self.skin.joints),
                           view_of(self, self.skin.weights), morphs, array(self.parts), self.part_names,
-                          document_state(self));
+                          document_state(self), values, array(self.mesh.left_out));
 }
 
 using AttributeState = std::tuple<MatrixArray, TriangleArray>;
-using State = std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
-                         std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
-                         std::vector<std::tuple<std::string, PointArray>>, IndexArray,
-                         std::vector<std::string>, std::optional<nb::bytes>>;
+using State =
+    std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
+               std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
+               std::vector<std::tuple<std::string, PointArray>>, IndexArray, std::vector<std::string>,
+               std::optional<nb::bytes>, std::vector<std::tuple<std::string, MatrixArray>>, IndexArray>;
 
 AttributedMesh restore(const State& state) {
     const auto& [vertices, triangles, first, corners, normals, texture_coordinates, colors, joints, weights,
-                 morphs, parts, part_names, document] = state;
+                 morphs, parts, part_names, document, values, left_out] = state;
     AttributedMesh self;
-    self.mesh = {map_of(vertices), map_of(triangles), {vector_of(first), map_of(corners)}};
+    self.mesh = {
+        map_of(vertices), map_of(triangles), {vector_of(first), map_of(corners)}, vector_of(left_out)};
     require_valid(self.mesh);
     const auto attribute = [](const AttributeState& pair) {
         return attribute_of(std::get<0>(pair), std::get<1>(pair));
@@ -113,6 +118,7 @@ AttributedMesh restore(const State& state) {
     for (const AttributeState& pair : colors) self.colors.push_back(attribute(pair));
     self.skin = skin_of(joints, weights);
     for (const auto& [name, displacements] : morphs) self.morphs.push_back({name, map_of(displacements)});
+    for (const auto& [name, column] : values) self.values.push_back({name, map_of(column)});
     self.parts = vector_of(parts);
     self.part_names = part_names;
     if (document) self.document = document_from_bytes({document->c_str(), document->size()});
@@ -167,6 +173,20 @@ void bind_content(nb::module_& module) {
                              morphs.insert_or_assign(morph.name, view_of(self, morph.displacements));
                          return morphs;
                      })
+        .def_prop_ro("values",
+                     [](AttributedMesh& self) {
+                         std::map<std::string, ReadOnly<double>> values;
+                         for (VertexValues& column : self.values)
+                             values.insert_or_assign(column.name, view_of(self, column.values));
+                         return values;
+                     })
+        .def_prop_ro(
+            "left_out", [](const AttributedMesh& self) { return array(self.mesh.left_out); },
+            nb::rv_policy::move)
+        .def("add_values",
+             [](AttributedMesh& self, const std::string& name, const MatrixArray& values) {
+                 self.values.push_back({name, map_of(values)});
+             })
         .def_prop_ro("parts", [](AttributedMesh& self) { return array(self.parts); })
         .def_prop_ro("part_names", [](AttributedMesh& self) { return self.part_names; })
         .def("set_normals",
@@ -189,12 +209,13 @@ void bind_content(nb::module_& module) {
 
     module.def(
         "read",
-        [](const std::filesystem::path& file, bool allow_external) {
-            AttributedMeshFile read =
-                run([&] { return read_attributed_mesh(file, {.allow_external = allow_external}); });
+        [](const std::filesystem::path& file, bool allow_external, bool strict) {
+            AttributedMeshFile read = run([&] {
+                return read_attributed_mesh(file, {.allow_external = allow_external, .strict = strict});
+            });
             return std::tuple(std::move(read.content), std::move(read.notices));
         },
-        "file"_a, "allow_external"_a);
+        "file"_a, "allow_external"_a, "strict"_a);
     module.def(
         "write",
         [](const AttributedMesh& content, const std::filesystem::path& file) {

@@ -171,8 +171,7 @@ def test_random_calls():
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 def test_what_is_copied(tmp_path):
-    """The peak of memory during a call beside its result of 12 MB: one copy of the arrays, 69 MB; none of a mesh that was
-    read, as nobody can change it."""
+    """The peak of memory in a call beside its result of 12 MB: a copy of the arrays, 69 MB; none of what was read."""
     script = """
 import numpy as np, counterpart, sys
 n = 1200

@@ -22,8 +22,8 @@ def same(a, b):
     if isinstance(a, (list, tuple)):
         return len(a) == len(b) and all(map(same, a, b))
     if isinstance(a, counterpart.Mesh):
-        names = ("vertices", "triangles", "polygons", "normals", "texture_coordinates", "colors", "skin", "morphs")
-        return all(same(getattr(a, name), getattr(b, name)) for name in (*names, "notices"))
+        names = "vertices triangles polygons normals texture_coordinates colors skin morphs values notices"
+        return all(same(getattr(a, name), getattr(b, name)) for name in names.split())
     if isinstance(a, counterpart.View):
         return a.html == b.html
     return same(vars(a), vars(b)) if hasattr(a, "__dict__") else a == b or (a != a and b != b)
@@ -39,6 +39,7 @@ def attributed(body, **changed):
         texture_coordinates=[(body.vertices[:, :2], body.triangles), (body.vertices[:, 1:], body.triangles)],
         colors=[(np.full((n, 4), 0.25), body.triangles)],
         **{"skin": skin, **changed},
+        values={"height": body.vertices[:, 1], "flow": body.vertices[:, :2]},
         morphs={"smile": 0.1 * body.vertices, "frown": -0.1 * body.vertices},
     )
 

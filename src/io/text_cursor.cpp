@@ -102,7 +102,8 @@ double TextCursor::number(std::string_view what) {
     if (error == std::errc::result_out_of_range) {
         // Too close to zero for a double is zero, too large is infinite.
         const std::string_view digits(begin, static_cast<std::size_t>(stop - begin));
-        const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
+        const std::size_t exponent = digits.find_first_of("eE"), whole = digits.find_first_not_of("-0");
+        const bool tiny = exponent != digits.npos ? digits[exponent + 1] == '-' : digits[whole] == '.';
         value = tiny ? 0 : std::numeric_limits<double>::infinity();
     } else if (error != std::errc()) {
         fail_at_word("a number", what);
@@ -127,6 +128,13 @@ std::int64_t TextCursor::integer(std::string_view what, char delimiter) {
         fail_at_word("a whole number", what);
     at_ = stop;
     return value;
+}
+
+std::string_view TextCursor::take(std::size_t size, std::string_view what) {
+    if (size > remaining())
+        fail(fmt::format("the file ends here: {} bytes of {} are missing", size - remaining(), what));
+    at_ += size;
+    return {at_ - size, size};
 }
 
 void TextCursor::fail_at_word(std::string_view expected, std::string_view what) {

@@ -151,7 +151,8 @@ class Part {
             const fs::path name = part_of(file_, number);
             Descriptor opened(::open(name.c_str(), flags));
             if (!opened.is_open() && errno == ENOENT) return;
-            if (locked(std::move(opened), name)) ::unlink(name.c_str());
+            if (const auto part = locked(std::move(opened), name))
+                ::unlink(name.c_str());  // while it is locked
         }
     }
 

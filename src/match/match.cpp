@@ -7,6 +7,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
+#include <counterpart/map/left_out.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
@@ -310,6 +311,10 @@ class Matching {
 
     MatchResult finished(MatchMethod method) {
         result_.method = method;
+        result_.target_from_source = without_left_out(result_.target_from_source, source_, target_);
+        if (!source_.left_out.empty() || !target_.left_out.empty())
+            for (Index v = 0; v < source_.n_vertices(); ++v)
+                if (result_.target_from_source[v] == VertexMap::unmatched) result_.confidence[v] = 0;
         if (options_.method == MatchMethod::automatic) result_.reason = std::move(reason_);
         result_.stages = watch_.stages();
         report_progress(progress_, 1);

@@ -12,7 +12,8 @@ namespace {
 
 bool has_attributes(const AttributedMesh& content) {
     return content.normals.values.rows() > 0 || !content.texture_coordinates.empty() ||
-           !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty();
+           !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty() ||
+           !content.values.empty();
 }
 
 void require_corners(TrianglesView corners, MeshView source, MeshView target) {
@@ -55,6 +56,8 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
     }
     for (std::size_t i = 0; i < target.morphs.size(); ++i)
         result.morphs[i].displacements = target.morphs[i].displacements(vertices, Eigen::all);
+    for (std::size_t i = 0; i < target.values.size(); ++i)
+        result.values[i].values = target.values[i].values(vertices, Eigen::all);
     if (!target.parts.empty()) {
         result.parts.clear();
         for (Eigen::Index t = 0; t < from.rows(); ++t)

@@ -10,6 +10,7 @@
 #include "io/gltf_primitives.hpp"
 #include "io/gltf_store.hpp"
 #include "io/landmark_bytes.hpp"
+#include "io/left_out.hpp"
 #include "io/map_bytes.hpp"
 #include "io/npy_bytes.hpp"
 
@@ -91,7 +92,17 @@ void read_stl_bytes(std::string_view bytes) {
 }
 
 void use_cells(const Cells& cells) {
-    is_valid(mesh_of_cells(cells, name).mesh);
+    AttributedMesh content = content_of_cells(cells, name).content;
+    remove_faces_of_left_out(content);
+    if (is_valid(content.mesh)) {
+        require_consistent(content);
+        const auto require_same_surface = [&](const Cells& again) {
+            const AttributedMesh read = content_of_cells(again, name).content;
+            require(same(read.mesh, content.mesh) && read.values.size() == content.values.size());
+        };
+        require_same_surface(read_vtk(vtk_bytes(content), name));
+        require_same_surface(read_vtp(vtp_bytes(content), name));
+    }
     if (cells.tetrahedra.empty()) return;
     const TetrahedralMesh solid = solid_of_cells(cells, name).mesh;
     const auto require_same = [&](const Cells& again) {
@@ -215,13 +226,15 @@ void read_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 13> readers = {{{"off", read_or_refused<read_off_bytes>},
+constexpr std::array<Target, 15> readers = {{{"off", read_or_refused<read_off_bytes>},
                                              {"obj", read_or_refused<read_obj_bytes>},
                                              {"ply", read_or_refused<read_ply_bytes>},
                                              {"stl", read_or_refused<read_stl_bytes>},
                                              {"msh", read_or_refused<read_cells_bytes<read_gmsh>>},
                                              {"medit", read_or_refused<read_cells_bytes<read_medit>>},
                                              {"vtk", read_or_refused<read_cells_bytes<read_vtk>>},
+                                             {"vtp", read_or_refused<read_cells_bytes<read_vtp>>},
+                                             {"gii", read_or_refused<read_cells_bytes<read_gifti>>},
                                              {"ele", read_or_refused<read_ele_bytes>},
                                              {"gltf", read_or_refused<read_and_write_gltf>},
                                              {"npy", read_or_refused<read_npy_bytes>},

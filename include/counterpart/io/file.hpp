@@ -14,6 +14,8 @@ struct ReadOptions {
     /// Follow what a glTF file names outside its own folder: absolute paths, "..", links that lead out. Off,
     /// such a file is refused, because what it names would become part of what is written.
     bool allow_external = false;
+    /// Refuse what is else left out with a notice: vertices whose coordinates are no numbers.
+    bool strict = false;
 };
 
 /// A file cannot be written: no such folder, no permission, a full disk, a closed pipe.

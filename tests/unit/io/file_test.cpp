@@ -155,13 +155,27 @@ TEST(AtomicFile, WhatIsInTheWayIsLeftAlone) {
 
 // Where many maps go into one folder, listing it at each would take the square of their number.
 TEST(AtomicFile, TheFolderIsNotListed) {
-    if (geteuid() == 0) GTEST_SKIP() << "root may list every folder";
     const test::TemporaryFolder folder;
-    fs::create_directory(folder / "unlisted");
-    fs::permissions(folder / "unlisted", fs::perms::owner_write | fs::perms::owner_exec);
-    write_file("x", folder / "unlisted/a");
-    EXPECT_EQ(read_whole_file(folder / "unlisted/a"), "x");
-    fs::permissions(folder / "unlisted", fs::perms::owner_all);
+    const fs::path unlisted = folder / "unlisted";
+    fs::create_directory(unlisted);
+    fs::permissions(folder / ".", fs::perms::all);
+    fs::permissions(unlisted, fs::perms(0333));
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        if (geteuid() == 0 && setuid(65534) != 0) _exit(2);  // root may list every folder, nobody may not
+        try {
+            write_file("x", unlisted / "a");
+        } catch (const std::exception&) {
+            _exit(1);
+        }
+        _exit(0);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_EQ(status, 0);
+    fs::permissions(unlisted, fs::perms::all);
+    EXPECT_EQ(read_whole_file(unlisted / "a"), "x");
 }
 
 TEST(AtomicFile, AKilledWriterLeavesTheOldFileOrTheNew) {

@@ -36,7 +36,8 @@ TEST(TriangleMesh, RequireValidRefusesWhatIsTooLargeToCount) {
     test::expect_error<InvalidInput>([&] { require_valid(mesh); },
                                      "has 268435457 triangles; at most 268435456 are supported");
     const Points one = Points::Zero(1, 3);
-    const MeshView many(PointsView(one.data(), Eigen::Index{1} << 31U, 3), mesh.triangles.topRows(1));
+    const Triangles triangle = Triangles::Zero(1, 3);
+    const MeshView many(PointsView(one.data(), Eigen::Index{1} << 31U, 3), triangle);
     test::expect_error<InvalidInput>([&] { require_valid(many); },
                                      "has 2147483648 vertices; at most 2147483647 are supported");
 }
