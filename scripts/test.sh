@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Installs what is missing, builds everything in Release, and runs all tests.
+# Installs what is missing, builds everything in Release (tens of minutes of processor time where no
+# compiler cache helps), and runs all tests, those of the viewer at the same time.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh

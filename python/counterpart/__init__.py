@@ -15,6 +15,7 @@ from . import _core
 from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
+from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
 from ._maps import (
     Evaluation,
     MapLike,
@@ -100,6 +101,7 @@ __all__ = [
     "IntArray",
     "InvalidInput",
     "IoError",
+    "Landmarks",
     "MapLike",
     "MapQuality",
     "MatchResult",
@@ -132,6 +134,7 @@ __all__ = [
     "heat_kernel_signature",
     "inspect",
     "invert_map",
+    "landmark_pairs",
     "make_body",
     "make_grid",
     "make_icosphere",
@@ -149,6 +152,7 @@ __all__ = [
     "nearest_corners",
     "project_map",
     "read",
+    "read_landmarks",
     "read_map",
     "render",
     "reorder",
@@ -163,6 +167,7 @@ __all__ = [
     "view",
     "wave_kernel_signature",
     "write",
+    "write_landmarks",
     "write_map",
     "zoom_out",
 ]

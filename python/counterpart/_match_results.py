@@ -204,7 +204,7 @@ class Alternative(MapResult):
     score : float
         Comparable with the best map's.
     description : str
-        How it differs from the best map: mirrored, turned, another limb.
+        How it differs from the best map: mirrored, turned, or somewhere else.
     """
 
     target_from_source: IntArray

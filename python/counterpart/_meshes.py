@@ -399,7 +399,7 @@ def read(file: str | os.PathLike[str], *, allow_external: bool = False, strict: 
     """Read a mesh with the polygons and attributes that its format holds.
 
     OFF, OBJ, PLY, STL, glTF (.glb, .gltf), VTK (.vtk, .vtp) and GIfTI (.gii) are read, and the surfaces of solids
-    (.msh, .mesh, .vtk, .ele). Vertices are those of the file, in its order; STL and glTF split them, here they are merged.
+    (.msh, .mesh, .vtk, .ele). Vertices are those of the file, in its order; where STL and glTF split them, merged.
 
     Parameters
     ----------

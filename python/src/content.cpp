@@ -6,10 +6,13 @@
 #include "bindings.hpp"
 #include "call.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/io/gltf.hpp>
+#include <counterpart/io/landmark_points.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
+#include <iterator>
 #include <map>
 
 #include <nanobind/stl/filesystem.h>
@@ -125,9 +128,64 @@ AttributedMesh restore(const State& state) {
     return self;
 }
 
+LandmarkPoints points_of(const std::vector<std::string>& names, const PointArray& points) {
+    LandmarkPoints result;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result.landmarks.push_back({names[i], {points(i, 0), points(i, 1), points(i, 2)}});
+    return result;
+}
+
+std::optional<Anatomical> axes_from_name(const std::optional<std::string>& name) {
+    if (!name) return std::nullopt;
+    if (*name == "LPS") return Anatomical::lps;
+    if (*name == "RAS") return Anatomical::ras;
+    throw InvalidInput("axes must be LPS or RAS, not '" + *name + "'");
+}
+
+void bind_landmarks(nb::module_& module) {
+    module.def(
+        "read_landmark_points",
+        [](const std::filesystem::path& file, const std::optional<std::string>& axes) {
+            const LandmarkPoints found =
+                run([&] { return read_landmark_points(file, axes_from_name(axes)); });
+            std::vector<std::string> names;
+            Points points(std::ssize(found.landmarks), 3);
+            for (const Landmark& landmark : found.landmarks) {
+                points.row(std::ssize(names)) = landmark.point;
+                names.push_back(landmark.name);
+            }
+            return std::tuple(names, matrix_array(std::move(points)),
+                              found.axes ? std::optional(to_string(*found.axes)) : std::nullopt);
+        },
+        "file"_a, "axes"_a.none());
+    module.def(
+        "write_landmark_points",
+        [](const std::vector<std::string>& names, const PointArray& points,
+           const std::optional<std::string>& axes, const std::filesystem::path& file) {
+            LandmarkPoints written = points_of(names, points);
+            written.axes = axes_from_name(axes);
+            run([&] { write_landmark_points(written, file); });
+        },
+        "names"_a, "points"_a, "axes"_a.none(), "file"_a);
+    module.def(
+        "landmark_pairs",
+        [](const Mesh& source, const Mesh& target, const std::vector<std::string>& source_names,
+           const PointArray& source_points, const std::vector<std::string>& target_names,
+           const PointArray& target_points) {
+            const auto pairs = landmark_pairs(points_of(source_names, source_points), source,
+                                              points_of(target_names, target_points), target);
+            Eigen::Matrix<Index, Eigen::Dynamic, 2, Eigen::RowMajor> rows(std::ssize(pairs), 2);
+            for (std::size_t i = 0; i < pairs.size(); ++i)
+                rows.row(static_cast<Eigen::Index>(i)) << pairs[i].first, pairs[i].second;
+            return matrix_array(std::move(rows));
+        },
+        "source"_a, "target"_a, "source_names"_a, "source_points"_a, "target_names"_a, "target_points"_a);
+}
+
 }  // namespace
 
 void bind_content(nb::module_& module) {
+    bind_landmarks(module);
     nb::class_<AttributedMesh>(module, "Content")
         .def(
             "__init__",

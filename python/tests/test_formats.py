@@ -122,9 +122,11 @@ def test_vtk_of_meshio(name, binary, tmp_path):
     np.testing.assert_array_equal(read.values["height"], HEIGHT)
 
 
-@pytest.mark.parametrize("encoding", ["ASCII", "B64BIN", "B64GZ"])
+@pytest.mark.parametrize(
+    ("encoding", "order"),  # nibabel writes text row by row whatever its header says
+    [("ASCII", "C"), ("B64BIN", "C"), ("B64BIN", "F"), ("B64GZ", "C"), ("B64GZ", "F")],
+)
 @pytest.mark.parametrize("endian", ["big", "little"])
-@pytest.mark.parametrize("order", ["C", "F"])
 def test_gifti_of_nibabel(encoding, endian, order, tmp_path):
     nibabel = pytest.importorskip("nibabel")
     ball = counterpart.make_icosphere(1)

@@ -4,7 +4,9 @@
 
 import copy
 import multiprocessing
+import pathlib
 import pickle
+import re
 
 import counterpart
 import numpy as np
@@ -149,6 +151,24 @@ def all_pairs(meshes):
 def check(meshes, results):
     for expected, found in zip(map(matched, all_pairs(meshes)), results, strict=True):
         np.testing.assert_array_equal(found, expected)
+
+
+def test_the_recipe_in_the_docs(meshes, tmp_path, monkeypatch):
+    page = pathlib.Path(__file__).parent.parent.parent / "docs" / "python.md"
+    if not page.exists():
+        pytest.skip("not in the repository")
+    pytest.importorskip("joblib")
+    pytest.importorskip("tqdm")
+    (tmp_path / "folder").mkdir()
+    for i, mesh in enumerate(meshes):
+        mesh.save(tmp_path / "folder" / f"{i}.ply")
+    monkeypatch.chdir(tmp_path)
+    names = {"__name__": "__main__"}
+    blocks = re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)
+    assert len(blocks) == 2
+    for block in blocks:
+        exec(block, names)
+        check(meshes, [result.target_from_source for result in names["results"]])
 
 
 def test_multiprocessing_spawn(meshes):

@@ -34,6 +34,19 @@ def test_the_package_is_marked_as_typed():
     assert (FOLDER / "py.typed").exists()
 
 
+def test_the_page_lists_everything():
+    """docs/python.md is read in the repository: a line for each function, the first of its help."""
+    page = pathlib.Path(__file__).parent.parent.parent / "docs" / "python.md"
+    if not page.exists():
+        pytest.skip("not in the repository")
+    listed = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", page.read_text(), re.MULTILINE))
+    values = {name: getattr(counterpart, name) for name in counterpart.__all__}
+    expected = {name for name, value in values.items() if inspect.isfunction(value) or inspect.isclass(value)}
+    assert listed.keys() == expected
+    for name, words in listed.items():
+        assert words == inspect.getdoc(values[name]).split("\n\n")[0].replace("\n", " ").replace("|", "or"), name
+
+
 def test_help_describes_every_field():
     for name in counterpart.__all__:
         value = getattr(counterpart, name)

@@ -73,7 +73,9 @@ void write_in_place(std::string_view bytes, const fs::path& file) {
     const Descriptor stream(file == "/dev/stdout" ? ::dup(STDOUT_FILENO)
                                                   : ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (!stream.is_open()) fail(file, "cannot be written", errno);
-    if (const int error = write_all(stream, bytes); error != 0) fail(file, "could not be written", error);
+    const int error = write_all(stream, bytes);
+    if (error == EPIPE) throw ClosedPipe(fmt::format("{}: nobody reads it any more", file.string()));
+    if (error != 0) fail(file, "could not be written", error);
 }
 
 bool is_named(const Descriptor& opened, const fs::path& name) {
