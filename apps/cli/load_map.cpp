@@ -25,6 +25,19 @@ void require_size(Index size, const MeshPair& pair) {
             : ""));
 }
 
+std::vector<std::pair<std::string, VertexMap>> runner_ups(const MatchResult& result) {
+    std::vector<std::pair<std::string, VertexMap>> found;
+    if (result.spectral)
+        for (const SpectralAlternative& other : result.spectral->alternatives)
+            found.emplace_back(other.description, other.target_from_source);
+    if (result.partial)
+        for (const PartialAlternative& other : result.partial->alternatives)
+            found.emplace_back(
+                fmt::format("runner-up: {:.0f} % of the vertices go elsewhere", 100 * other.moved),
+                other.target_from_source);
+    return found;
+}
+
 }  // namespace
 
 SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const CommonOptions& options,
@@ -82,7 +95,7 @@ FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, 
     Json report = judgment.report();
     report["matched_by"] = to_string(result.method);
     report["match_warnings"] = result.warnings;
-    return {result.target_from_source, report};
+    return {result.target_from_source, report, result.confidence, runner_ups(result)};
 }
 
 FoundMap<SurfaceMap> surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,

@@ -120,14 +120,21 @@ void run(const ReorderCommand& command) {
     const TriangleMesh& source = source_content.mesh;
     const TriangleMesh& target = target_content.mesh;
     watch.lap("read");
-    const ExactResult match = match_exact(source, target, command.options);
+    ExactResult match = match_exact(source, target, command.options);
     watch.lap("match");
     if (!match.identical) {
         if (!command.allow_differences)
             throw InvalidInput(why_not(command, source, target, match.difference));
         return run_with_differences(command, source_content, target, watch);
     }
-    if (is_obj(command.target) && is_obj(command.output)) {
+    if (match.mirrored) {
+        write_attributed_mesh(
+            turned_inside_out(reorder(source_content, target_content, match.target_from_source,
+                                      match.target_corner_from_source)),
+            command.output);
+        match.notices.emplace_back(
+            "its faces are wound the other way than the source's, so that the outside stays out");
+    } else if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);
         write_file(
             is_obj(command.source)

@@ -5,8 +5,8 @@
 
 Each call is drawn from its own number, so `random_calls.py 1 N` repeats call N. A call must return or raise one of the
 documented exceptions and leave its arrays as they were; during every sixth call another thread changes them. Prints how
-the calls of each function ended, as JSON. The file that RANDOM_CALLS_LOG names, if any, holds the number of the call that
-runs: for a sanitizer that ends the process.
+the calls of each function ended, as JSON. The file that RANDOM_CALLS_LOG names, if any, holds the number of the
+call that runs: for a sanitizer that ends the process.
 """
 
 import json

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes of other packages, by what they look like; the packages themselves where they are installed."""
 
+import subprocess
 from types import SimpleNamespace
 
 import counterpart
@@ -213,3 +214,25 @@ def test_arrays_outlive_their_mesh(tmp_path):
     counterpart.write((V, T), tmp_path / "a.ply")
     vertices = counterpart.read(tmp_path / "a.ply").vertices
     np.testing.assert_array_equal(vertices, V)
+
+
+@pytest.mark.parametrize("name", ["a.obj", "a.ply"])
+def test_reorder_keeps_the_outside_of_a_mirror_image_out(name, tmp_path, program):
+    """A left bone in the order of a right one."""
+
+    def volume(mesh):
+        a, b, c = (mesh.vertices[mesh.triangles[:, k]] for k in range(3))
+        return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+    body = counterpart.make_body(0)
+    image, _ = counterpart.shuffle((body.vertices * [-1, 1, 1], body.triangles[:, ::-1]))
+    result = counterpart.reorder(body, image)
+    np.testing.assert_allclose(result.mesh.vertices, body.vertices * [-1, 1, 1])
+    assert volume(result.mesh) == pytest.approx(volume(body))
+    assert "the outside stays out" in result.notices[-1]
+    counterpart.write(body, tmp_path / name)
+    counterpart.write(image, tmp_path / ("b" + name))
+    command = [program, "reorder", tmp_path / name, tmp_path / ("b" + name), "-o", tmp_path / ("c" + name)]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+    assert "the outside stays out" in said
+    assert volume(counterpart.read(tmp_path / ("c" + name))) == pytest.approx(volume(body))

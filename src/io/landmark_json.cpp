@@ -19,7 +19,7 @@ using LandmarkJson = nlohmann::ordered_json;
     throw IoError(fmt::format("{}: {}", name, reason));
 }
 
-LandmarkJson parse(std::string_view bytes, const std::string& name) {
+LandmarkJson parsed(std::string_view bytes, const std::string& name) {
     constexpr int most_levels = 64;  // copying recurses
     const auto check = [&](int depth, LandmarkJson::parse_event_t, const LandmarkJson&) {
         if (depth > most_levels) refuse(name, "the JSON is nested too deep");
@@ -71,7 +71,7 @@ void add_markup(const LandmarkJson& markup, const std::string& name, LandmarkPoi
 }  // namespace
 
 LandmarkPoints parse_slicer_json(std::string_view bytes, const std::string& name) {
-    const LandmarkJson json = parse(bytes, name);
+    const LandmarkJson json = parsed(bytes, name);
     if (!json.is_object() || !json.contains("markups") || !json["markups"].is_array())
         refuse(name, "there are no markups");
     LandmarkPoints points;
@@ -87,7 +87,7 @@ LandmarkPoints parse_slicer_json(std::string_view bytes, const std::string& name
 }
 
 LandmarkPoints parse_scalismo_json(std::string_view bytes, const std::string& name) {
-    const LandmarkJson json = parse(bytes, name);
+    const LandmarkJson json = parsed(bytes, name);
     if (!json.is_array()) refuse(name, "a list of landmarks with id and coordinates is expected");
     LandmarkPoints points;
     for (const LandmarkJson& landmark : json) {

@@ -66,6 +66,24 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
     return result;
 }
 
+AttributedMesh turned_inside_out(AttributedMesh content) {
+    const auto turn = [](Triangles& corners) {
+        if (corners.rows() > 0) corners.col(1).swap(corners.col(2));
+    };
+    turn(content.mesh.triangles);
+    turn(content.normals.corners);
+    for (CornerAttribute& set : content.texture_coordinates) turn(set.corners);
+    for (CornerAttribute& set : content.colors) turn(set.corners);
+    Polygons& polygons = content.mesh.polygons;
+    turn(polygons.corners);
+    for (Index p = 0; p < polygons.count(); ++p) {
+        const Index begin = polygons.first[static_cast<std::size_t>(p)], size = polygons.size(p);
+        auto corners = polygons.corners.middleRows(polygons.first_triangle(p), size - 2);
+        corners = corners.unaryExpr([&](Index c) { return begin + (size - (c - begin)) % size; }).eval();
+    }
+    return content;
+}
+
 TriangleMesh reorder(MeshView source, MeshView target, const VertexMap& target_from_source) {
     require_valid(target_from_source, source.n_vertices(), target.n_vertices());
     TriangleMesh result{Points(source.n_vertices(), 3), source.triangles};
