@@ -9,6 +9,8 @@ import os
 from collections.abc import Mapping
 from typing import Any, Literal
 
+import numpy as np
+
 from . import _core
 from ._arrays import FloatArray, IntArray, floats
 from ._calls import Result
@@ -103,5 +105,5 @@ def landmark_pairs(
     for landmarks in (source_landmarks, target_landmarks):
         points = landmarks.points if isinstance(landmarks, Landmarks) else dict(landmarks)
         table = [floats(point, f"landmark {name}", (3,)) for name, point in points.items()]
-        sides += [list(points), floats(table, "landmarks", (-1, 3))]
+        sides += [list(points), floats(table or np.empty((0, 3)), "landmarks", (-1, 3))]
     return _core.landmark_pairs(core_mesh(source), core_mesh(target), *sides)

@@ -28,6 +28,12 @@ const char* skip_plus(const char* at, const char* end) {
     return end - at > 1 && *at == '+' && at[1] != '-' ? at + 1 : at;
 }
 
+// As older C libraries of Windows write what is no finite number, behind "1." or "-1.".
+bool is_no_number_of_windows(std::string_view text) {
+    return text.starts_with("#IND") || text.starts_with("#QNAN") || text.starts_with("#SNAN") ||
+           text.starts_with("#INF");
+}
+
 // For messages: long or binary words are cut and made printable.
 std::string shown(std::string_view word) {
     std::string text;
@@ -110,7 +116,14 @@ double TextCursor::number(std::string_view what) {
     }
     if (!ends_word(stop, end_)) fail_at_word("a number", what);
     at_ = stop;
-    return value;
+    return is_no_number_of_windows({stop, remaining()}) ? skip_no_number() : value;
+}
+
+// 1.#QNAN0 and the like would be a number and a comment otherwise.
+double TextCursor::skip_no_number() {
+    ++at_;
+    while (!ends_word(at_, end_)) ++at_;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 double TextCursor::coordinate(std::string_view what) {

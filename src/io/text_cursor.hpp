@@ -62,6 +62,7 @@ class TextCursor {
 
   private:
     void skip_blanks();
+    double skip_no_number();
     [[noreturn]] void fail_at_word(std::string_view expected, std::string_view what);
 
     const char* at_;

@@ -148,6 +148,11 @@ TEST_F(LeftOut, WhatRealFilesHave) {
     const MeshFile solid = read_mesh(mixed);
     EXPECT_EQ(solid.mesh.n_triangles(), 6);
     test::expect_error<IoError>([&] { read_tetrahedral_mesh(mixed); }, "is inverted, unlike others");
+    // As older C libraries of Windows write what is no number.
+    const auto windows =
+        write("windows.obj", obj + "v 1.#QNAN0 0 0\nv 1 -1.#IND 1.#INF00 # a comment\nv 1 2 3#4\n");
+    EXPECT_EQ(read_mesh(windows).mesh.left_out, (std::vector<Index>{3, 4}));
+    EXPECT_EQ(read_mesh(windows).mesh.vertices.row(5), Eigen::RowVector3d(1, 2, 3));
     // A number smaller than any is zero, however it is written.
     const auto tiny =
         write("tiny.obj", "v 0." + std::string(400, '0') + "1 0 0\nv 1 0 0\nv 0 1 1e-999\nf 1 2 3\n");
