@@ -12,20 +12,18 @@
 """
 
 from . import _core
+from ._alignment import AlignResult, align
 from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
+from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
 from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
 from ._maps import (
-    Evaluation,
     MapLike,
-    MapQuality,
     SurfaceMap,
     complete_map,
     compose_maps,
-    evaluate,
     invert_map,
-    map_quality,
     nearest_corners,
     project_map,
     read_map,
@@ -70,12 +68,10 @@ from ._spectral import (
     zoom_out,
 )
 from ._transfer import (
-    AlignResult,
     FitResult,
     MorphResult,
     ReorderResult,
     TransferResult,
-    align,
     fit,
     morph,
     reorder,

@@ -7,7 +7,7 @@ from __future__ import annotations
 import dataclasses
 import os
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Any, Literal, cast
 
 import numpy as np
 
@@ -54,7 +54,7 @@ def read_landmarks(file: str | os.PathLike[str], *, axes: Axes | None = None) ->
     if len(set(names)) < len(names):
         twice = next(name for name in names if names.count(name) > 1)
         raise _core.IoError(f"{os.fspath(file)}: there are two landmarks '{twice}'")
-    return Landmarks(dict(zip(names, points, strict=True)), found)
+    return Landmarks(dict(zip(names, points, strict=True)), cast("Axes | None", found))
 
 
 def write_landmarks(
@@ -75,12 +75,10 @@ def write_landmarks(
     IoError
         The file cannot be written, or must say which axes are meant.
     """
-    points = landmarks.points if isinstance(landmarks, Landmarks) else dict(landmarks)
     known = landmarks.axes if isinstance(landmarks, Landmarks) else None
     if known is not None and axes is not None and known != axes:
         raise _core.InvalidInput(f"the landmarks are in {known}, not in {axes}")
-    table = floats([floats(point, f"landmark {name}", (3,)) for name, point in points.items()], "landmarks", (-1, 3))
-    _core.write_landmark_points(list(points), table, axes or known, os.fspath(file))
+    _core.write_landmark_points(*_table(landmarks), axes or known, os.fspath(file))
 
 
 def landmark_pairs(
@@ -101,9 +99,12 @@ def landmark_pairs(
     -------
     ndarray of int32, (n, 2)
     """
-    sides = []
-    for landmarks in (source_landmarks, target_landmarks):
-        points = landmarks.points if isinstance(landmarks, Landmarks) else dict(landmarks)
-        table = [floats(point, f"landmark {name}", (3,)) for name, point in points.items()]
-        sides += [list(points), floats(table or np.empty((0, 3)), "landmarks", (-1, 3))]
-    return _core.landmark_pairs(core_mesh(source), core_mesh(target), *sides)
+    begin, end = _table(source_landmarks), _table(target_landmarks)
+    return _core.landmark_pairs(core_mesh(source), core_mesh(target), *begin, *end)
+
+
+def _table(landmarks: Landmarks | Mapping[str, Any]) -> tuple[list[str], FloatArray]:
+    """The names, and the points row by row."""
+    points = landmarks.points if isinstance(landmarks, Landmarks) else dict(landmarks)
+    rows = [floats(point, f"landmark {name}", (3,)) for name, point in points.items()]
+    return list(points), floats(rows or np.empty((0, 3)), "landmarks", (-1, 3))

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from inspect import signature as inspect_signature
 from typing import Any, Protocol
 
 import numpy as np
@@ -14,6 +13,7 @@ import numpy as np
 from . import _core
 from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._core import InvalidInput
+from ._other_packages import faces_of_other
 
 Attribute = tuple[FloatArray, IntArray]
 """Values (n x k) and, for each corner of each triangle, its row among them (n_triangles x 3, -1 for none)."""
@@ -286,77 +286,15 @@ def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple
     return values, integers(corners, f"corners of the {what}", (-1, 3))
 
 
-def _of_meshio(mesh: Any) -> Mesh:
-    surfaces = [cells for cells in mesh.cells if cells.type in ("triangle", "quad", "polygon")]
-    other = {cells.type for cells in mesh.cells} - {"triangle", "quad", "polygon", "vertex", "line"}
-    if other or not surfaces:
-        raise InvalidInput(
-            f"only surfaces can be matched, this mesh has cells of {', '.join(sorted(other)) or 'no area'}"
-        )
-    points = np.asarray(mesh.points)
-    if points.ndim == 2 and points.shape[1] == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    faces = [np.asarray(cells.data) for cells in surfaces]
-    if all(block.shape[1] == 3 for block in faces):
-        return Mesh(points, np.concatenate(faces))
-    sizes = np.concatenate([np.full(len(block), block.shape[1]) for block in faces])
-    return Mesh.from_polygons(points, sizes, np.concatenate([block.ravel() for block in faces]))
-
-
-_WITHOUT_AREA = (0, 1, 2, 3, 4)  # VTK: empty, vertex, poly vertex, line, poly line
-
-
-def _of_grid(grid: Any) -> Mesh:
-    """pyvista's UnstructuredGrid: its faces, or the surface of its solid cells, over all of its points."""
-    kinds = np.asarray(grid.celltypes)
-    if np.isin(kinds, _WITHOUT_AREA).all():
-        raise InvalidInput("only surfaces can be matched, this grid has no cells with an area")
-    # Newer versions of pyvista want to hear which filter is meant.
-    named = (
-        {"algorithm": "dataset_surface"} if "algorithm" in inspect_signature(grid.extract_surface).parameters else {}
-    )
-    surface = grid.extract_surface(pass_pointid=True, pass_cellid=False, **named)
-    number = np.asarray(surface.point_data["vtkOriginalPointIds"])
-    sizes, corners = _faces_of(np.asarray(surface.faces))
-    return _of_faces(grid.points, sizes, number[corners])
-
-
-def _of_pyvista(mesh: Any) -> Mesh:
-    if getattr(mesh, "n_strips", 0):
-        mesh = mesh.triangulate()
-    return _of_faces(mesh.points, *_faces_of(np.asarray(mesh.faces)))
-
-
-def _of_faces(points: Any, sizes: Any, corners: Any) -> Mesh:
-    if (sizes == 3).all():
-        return Mesh(points, corners.reshape(-1, 3))
-    return Mesh.from_polygons(points, sizes, corners)
-
-
-def _faces_of(faces: Any) -> tuple[Any, Any]:
-    """How many corners each face has, and the corners."""
-    if len(faces) % 4 == 0 and (faces[::4] == 3).all():
-        return faces[::4], faces.reshape(-1, 4)[:, 1:].ravel()
-    sizes, at = [], 0  # each face's number of corners stands before them
-    is_corner = np.ones(len(faces), bool)
-    while at < len(faces):
-        is_corner[at] = False
-        sizes.append(int(faces[at]))
-        at += sizes[-1] + 1
-    return np.array(sizes), faces[is_corner]
-
-
 def _mesh_of(mesh: MeshLike) -> Mesh:
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
         return read(mesh)
-    if hasattr(mesh, "celltypes") and hasattr(mesh, "extract_surface"):
-        return _of_grid(mesh)
-    if hasattr(mesh, "cells_dict") and hasattr(mesh, "points"):
-        return _of_meshio(mesh)
-    if hasattr(mesh, "is_all_triangles") and hasattr(mesh, "points"):
-        return _of_pyvista(mesh)
+    if (faces := faces_of_other(mesh)) is not None:
+        points, sizes, corners = faces
+        are_triangles = (np.asarray(sizes) == 3).all()
+        return Mesh(points, corners.reshape(-1, 3)) if are_triangles else Mesh.from_polygons(points, sizes, corners)
     held = getattr(mesh, "mesh", mesh)
     if isinstance(held, Mesh):
         return held

@@ -19,7 +19,8 @@ from . import _core
 from ._arrays import FloatArray, floats
 from ._calls import ProgressLike, reporting
 from ._core import InvalidInput
-from ._maps import MapLike, truth_pairs, vertex_map_of
+from ._evaluation import truth_pairs
+from ._maps import MapLike, vertex_map_of
 from ._meshes import MeshLike, core_mesh
 
 Show = Literal["colors", "checker", "lines"]

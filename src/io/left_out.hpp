@@ -9,8 +9,8 @@
 
 namespace counterpart::io {
 
-/// Moves points whose coordinates are not all finite to about where the others are on average, each to a place
-/// of its own, and returns their numbers; none are moved if all are so. O(n).
+/// Moves points whose coordinates are not all finite to about where the others are on average, each to a
+/// place of its own, and returns their numbers; none are moved if all are so. O(n).
 std::vector<Index> place_left_out(Points& points);
 
 /// Takes the faces away that name a vertex of content.mesh.left_out, with what belongs to their corners.
