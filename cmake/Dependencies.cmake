@@ -8,6 +8,8 @@ if(embree_VERSION VERSION_LESS 3.13)
   message(FATAL_ERROR "counterpart needs Embree 3.13 or newer, this is ${embree_VERSION} (${embree_DIR})")
 endif()
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(pugixml REQUIRED CONFIG)
 
 # Header-only, looked up by header: their package configs pull in more than is needed, or are not shipped.
 find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
@@ -34,7 +36,7 @@ endfunction()
 counterpart_hidden_libraries(COUNTERPART_CORE_LIBRARIES
   INCLUDES ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads)
 counterpart_hidden_libraries(COUNTERPART_IO_LIBRARIES
-  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads)
+  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads ZLIB::ZLIB pugixml::pugixml)
 counterpart_hidden_libraries(COUNTERPART_RENDER_LIBRARIES
   INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads embree PNG::PNG)
 

@@ -58,6 +58,22 @@ def tutorials() -> None:
         list(pool.map(tutorial, sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))))
 
 
+def python_functions() -> None:
+    """A page for each function and class that docs/python.md lists, and links to them from there."""
+    folder = PAGES / "python"
+    folder.mkdir(exist_ok=True)
+
+    def page(row: re.Match[str]) -> str:
+        name = row[1]
+        (folder / f"{name}.md").write_text(
+            f"# {name}\n\n::: counterpart.{name}\n    options:\n      show_root_heading: false\n"
+        )
+        return f"| [`{name}`](python/{name}.md) |"
+
+    overview = PAGES / "python.md"
+    overview.write_text(re.sub(r"^\| `(\w+)` \|", page, overview.read_text(), flags=re.MULTILINE))
+
+
 def help_of(*command: str) -> str:
     program = os.environ.get("COUNTERPART", ROOT / "build" / "release" / "counterpart")
     return subprocess.run([program, *command, "--help"], check=True, capture_output=True, text=True).stdout
@@ -76,5 +92,6 @@ def command_line() -> None:
 if __name__ == "__main__":
     copy_pages()
     command_line()
+    python_functions()
     cpp_reference.main(PAGES / "cpp")
     tutorials()

@@ -14,7 +14,7 @@
 # tests/fuzz/cases.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-readers="off obj ply stl msh medit vtk ele gltf npy map surface_map landmarks shape"
+readers="off obj ply stl msh medit vtk vtp gii ele gltf npy map surface_map landmarks landmark_points shape"
 matchers="exact differences spectral partial"
 whole_library="$matchers shape"  # the other targets need a few files of it
 
@@ -60,8 +60,8 @@ counts() {
 # The sources of each reader, by lines; for glTF, what writes it by itself.
 coverage() {
   local target program source found
-  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]=vtk [ele]=ele
-    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes [landmarks]=landmark_file
+  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]="vtk vtk_data" [vtp]="vtp xml inflate" [gii]=gifti [ele]=ele
+    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes [landmarks]=landmark_file [landmark_points]="landmark_json landmark_text"
     [surface_map]=surface_map_file [shape]=../match/spectral/stored_shape [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
   for target in ${*:-$readers gltf_writing}; do
     program=$(program_of fuzz-coverage "${target%_writing}")

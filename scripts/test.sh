@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Installs what is missing, builds the program and the tests in Release, and runs the tests.
+# Installs what is missing, builds the program and the tests in Release (minutes of processor time where no compiler
+# cache helps), and runs the tests.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh

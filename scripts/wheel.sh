@@ -6,7 +6,8 @@
 # by default python3. CPython 3.11 gets a wheel of its own, one built by 3.12 or newer serves all from 3.12 on. The
 # libraries that a wheel needs travel inside it, but for those of C and C++ (and of the kernel's loader); libpng and zlib
 # are linked into the module and the program. Its tag says which glibc it needs at least: that of the machine it is made
-# on, so make it on the oldest that is to run it. Every wheel is installed into a clean environment and tested there;
+# on, so make it on the oldest that is to run it. A wheel takes about 15 minutes of processor time, most of it for
+# compiling. Every wheel is installed into a clean environment and tested there;
 # without the tests if COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -48,7 +49,7 @@ add_licenses() {
   build/wheel-venv/bin/wheel unpack --dest "$folder" "$1" > /dev/null
   texts=$(echo "$folder"/*/*.dist-info/licenses)
   for package in libeigen3-dev libnanoflann-dev libspectra-dev libfmt-dev nlohmann-json3-dev libcli11-dev libembree-dev \
-    libtbb-dev libpng-dev zlib1g-dev; do
+    libtbb-dev libpng-dev libpugixml-dev zlib1g-dev; do
     cp "/usr/share/doc/$package/copyright" "$texts/$package.txt"
   done
   cp build/wheel-venv/lib/python*/site-packages/nanobind-*.dist-info/licenses/LICENSE "$texts/nanobind.txt"

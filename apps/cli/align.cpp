@@ -118,9 +118,8 @@ Fit align_surfaces(const AlignCommand& command) {
 
 Fit aligned(const AlignCommand& command) {
     if (holds_tetrahedra(command.output))
-        if (auto source = load_solid(command.source, command.common))
-            if (const auto target = load_solid(command.target, command.common))
-                return align_solids(command, std::move(*source), *target);
+        if (auto solids = load_solids(command.source, command.target, command.common))
+            return align_solids(command, std::move(solids->first), solids->second);
     return align_surfaces(command);
 }
 

@@ -79,6 +79,9 @@ void add_common_options(CLI::App& command, CommonOptions& options) {
         ->capture_default_str();
     command.add_flag("--allow-external", options.read.allow_external,
                      "Let glTF files refer to files outside their own folder; only for files you trust");
+    command.add_flag(
+        "--strict", options.read.strict,
+        "Refuse meshes with vertices whose coordinates are no numbers, instead of leaving these out");
     command.add_flag("-q,--quiet", options.quiet, "Print only warnings and errors");
     add_output(command, options.files, "--report", options.report, Content::report,
                "Write results and timings to this JSON file");
@@ -141,6 +144,19 @@ std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, con
     if (!loaded) return std::nullopt;
     for (const std::string& notice : loaded->notices) say(options, file.string() + ": " + notice);
     return std::move(loaded->mesh);
+}
+
+std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const std::filesystem::path& source,
+                                                                       const std::filesystem::path& target,
+                                                                       const CommonOptions& options) {
+    const std::vector<std::string> known = mesh_extensions().read_solids;
+    for (const std::filesystem::path& file : {source, target})
+        if (std::find(known.begin(), known.end(), lower_extension(file)) == known.end()) return std::nullopt;
+    auto first = load_solid(source, options);
+    if (!first) return std::nullopt;
+    auto second = load_solid(target, options);
+    if (!second) return std::nullopt;
+    return std::pair(*std::move(first), *std::move(second));
 }
 
 Progress progress_bar(const std::string& label, const CommonOptions& options) {

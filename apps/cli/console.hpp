@@ -69,6 +69,10 @@ AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const Com
 bool holds_tetrahedra(const std::filesystem::path& file);
 /// The tetrahedra of a file that has any, with its notices printed.
 std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options);
+/// Both, if both files have tetrahedra: then solids are meant, else the surface of one that has them.
+std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const std::filesystem::path& source,
+                                                                       const std::filesystem::path& target,
+                                                                       const CommonOptions& options);
 
 /// A bar on stderr that appears after a second of work; silent when stderr is not a terminal or with --quiet.
 /// Cancels the work when the user interrupts the program.

@@ -121,11 +121,9 @@ void write_curve(const EvaluationReport& report, const std::filesystem::path& fi
 
 // Solids are measured along the edges inside too, relative to the area of the target's surface.
 std::pair<TriangleMesh, TriangleMesh> load_meshes(EvaluateCommand& command) {
-    if (const auto source = load_solid(command.source, command.common)) {
-        if (const auto target = load_solid(command.target, command.common)) {
-            command.options.target_area = surface_area(boundary(*target).mesh);
-            return {all_faces(*source), all_faces(*target)};
-        }
+    if (const auto solids = load_solids(command.source, command.target, command.common)) {
+        command.options.target_area = surface_area(boundary(solids->second).mesh);
+        return {all_faces(solids->first), all_faces(solids->second)};
     }
     return {load_mesh(command.source, command.common), load_mesh(command.target, command.common)};
 }

@@ -217,6 +217,7 @@ void check_files(const FileArguments& files) {
 void print(const std::string& text) {
     const bool whole =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (!whole && errno == EPIPE) throw ClosedPipe("standard output: nobody reads it any more");
     if (!whole)
         throw WriteError(fmt::format("standard output: could not be written ({})", std::strerror(errno)));
 }

@@ -134,10 +134,9 @@ void add_fit(CLI::App& program) {
                "Mesh file for the fitted TEMPLATE")
         ->required();
     add_input(*fit, files, "--map", command->map, "Map from TEMPLATE to SCAN. Default: match them first");
-    add_input(
-        *fit, files, "--landmarks", command->landmarks,
-        "Pairs that must meet, one per line: two 0-based vertices or two points (6 coordinates); at least "
-        "3 if there is no --map");
+    add_input(*fit, files, "--landmarks", command->landmarks,
+              "Pairs that must meet, one per line: two 0-based vertices or two points (6 coordinates); "
+              "without --map they also guide the match");
     fit->add_option("--stiffness", command->options.stiffness,
                     "How large a feature of SCAN must be to be followed, in edges of TEMPLATE")
         ->check(number(0.1, 10))

@@ -30,7 +30,7 @@ void cancel_on_interrupt() {
     std::signal(SIGINT, on_interrupt);
     std::signal(SIGTERM, on_interrupt);
     std::signal(SIGALRM, on_alarm);
-    std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe fails with a message instead
+    std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe fails instead: ClosedPipe
 }
 
 bool is_interrupted() { return interrupted != 0; }

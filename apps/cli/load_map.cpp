@@ -25,6 +25,19 @@ void require_size(Index size, const MeshPair& pair) {
             : ""));
 }
 
+std::vector<std::pair<std::string, VertexMap>> runner_ups(const MatchResult& result) {
+    std::vector<std::pair<std::string, VertexMap>> found;
+    if (result.spectral)
+        for (const SpectralAlternative& other : result.spectral->alternatives)
+            found.emplace_back(other.description, other.target_from_source);
+    if (result.partial)
+        for (const PartialAlternative& other : result.partial->alternatives)
+            found.emplace_back(
+                fmt::format("runner-up: {:.0f} % of the vertices go elsewhere", 100 * other.moved),
+                other.target_from_source);
+    return found;
+}
+
 }  // namespace
 
 SurfaceMap between_vertices(const VertexMap& map, const MeshPair& pair, const CommonOptions& options,
@@ -61,13 +74,13 @@ std::string caution(const Json& report) {
 }
 
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
-    if (landmarks.size() < 3 && pair.source.n_vertices() == pair.target.n_vertices() &&
+    if (landmarks.empty() && pair.source.n_vertices() == pair.target.n_vertices() &&
         pair.source.triangles == pair.target.triangles) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
         return {identity_map(pair.source.n_vertices())};
     }
     MatchOptions how{.n_threads = options.threads, .progress = progress_bar("matching", options)};
-    if (landmarks.size() >= 3) how.spectral.landmarks = landmarks;
+    how.spectral.landmarks = landmarks;
     const MatchResult result = match(pair.source, pair.target, how);
     how.progress = {};
     say(options,
@@ -82,7 +95,7 @@ FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, 
     Json report = judgment.report();
     report["matched_by"] = to_string(result.method);
     report["match_warnings"] = result.warnings;
-    return {result.target_from_source, report};
+    return {result.target_from_source, report, result.confidence, runner_ups(result)};
 }
 
 FoundMap<SurfaceMap> surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,

@@ -50,6 +50,8 @@ template <class Map>
 struct FoundMap {
     Map map;
     Json report = Json::object();
+    Vector confidence{};  ///< of each source vertex; empty if none is known
+    std::vector<std::pair<std::string, VertexMap>> runner_ups{};  ///< with what they are: "turned: 86 % ..."
 };
 
 /// For the last line that a command says: nothing, or that the map it found by itself is not to be used.

@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
     } catch (const counterpart::Canceled&) {
         std::fputs("interrupted\n", stderr);
         return counterpart::cli::interrupted_code;
+    } catch (const counterpart::ClosedPipe&) {  // whoever reads has seen enough
+        return counterpart::cli::not_written_code;
     } catch (const counterpart::WriteError& error) {
         std::fprintf(stderr, "error: %s\n", error.what());
         return counterpart::cli::not_written_code;

@@ -14,6 +14,7 @@
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
+#include <counterpart/map/left_out.hpp>
 #include <counterpart/match/volume.hpp>
 #include <counterpart/spectral/functional_map.hpp>
 
@@ -182,11 +183,9 @@ void run(const MatchCommand& command) {
     refuse_unused_options(command, command.method);
     if (!command.initial.empty()) refuse_unused_options_of_refinement(command);
     Stopwatch watch;
-    if (const auto solid = load_solid(command.source, command.common)) {
-        if (const auto target_solid = load_solid(command.target, command.common)) {
-            watch.lap("read");
-            return run_solids(command, *solid, *target_solid, watch);
-        }
+    if (const auto solids = load_solids(command.source, command.target, command.common)) {
+        watch.lap("read");
+        return run_solids(command, solids->first, solids->second, watch);
     }
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
@@ -197,6 +196,10 @@ void run(const MatchCommand& command) {
     MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
                                                    : refine_map(input, load_map(command.initial, pair));
     watch.lap("match");
+    if (outcome.failure.empty())
+        outcome.target_from_source = without_left_out(outcome.target_from_source, source, target);
+    if (outcome.source_from_target)
+        outcome.source_from_target = without_left_out(*outcome.source_from_target, target, source);
     if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
     const Judgment judgment = judge(outcome, pair);  // of what was matched, not of what fills the gaps
     if (outcome.failure.empty()) {

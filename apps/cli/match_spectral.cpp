@@ -88,7 +88,9 @@ MatchOptions SpectralArguments::match_options_for(const MatchInput& input) const
                         .progress = input.progress};
     if (!cache.empty())
         result.prepared_shape = [folder = cache](MeshView mesh, const SpectralShapeOptions& prepared) {
-            return cached_spectral_shape(folder, mesh, prepared);
+            CachedShape found = cached_spectral_shape(folder, mesh, prepared);
+            if (!found.warning.empty()) warn(found.warning);
+            return std::move(found.shape);
         };
     return result;
 }
@@ -118,7 +120,7 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
     match
         .add_option("--landmarks", arguments->landmarks,
                     "Known pairs, one per line: two 0-based vertices or two points (6 coordinates). They "
-                    "hold exactly; one on a limb that went wrong mostly mends the map")
+                    "hold exactly; one on a part that went wrong mostly mends the map")
         ->type_name("FILE")
         ->group(group);
     match

@@ -112,23 +112,29 @@ void run_with_differences(const ReorderCommand& command, AttributedMesh source, 
 }
 
 void run(const ReorderCommand& command) {
-    if (auto source = load_solid(command.source, command.common))
-        if (const auto target = load_solid(command.target, command.common))
-            return run_solids(command, std::move(*source), *target);
+    if (auto solids = load_solids(command.source, command.target, command.common))
+        return run_solids(command, std::move(solids->first), solids->second);
     Stopwatch watch;
     const AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
     const AttributedMesh target_content = load_attributed_mesh(command.target, command.common);
     const TriangleMesh& source = source_content.mesh;
     const TriangleMesh& target = target_content.mesh;
     watch.lap("read");
-    const ExactResult match = match_exact(source, target, command.options);
+    ExactResult match = match_exact(source, target, command.options);
     watch.lap("match");
     if (!match.identical) {
         if (!command.allow_differences)
             throw InvalidInput(why_not(command, source, target, match.difference));
         return run_with_differences(command, source_content, target, watch);
     }
-    if (is_obj(command.target) && is_obj(command.output)) {
+    if (match.mirrored) {
+        write_attributed_mesh(
+            turned_inside_out(reorder(source_content, target_content, match.target_from_source,
+                                      match.target_corner_from_source)),
+            command.output);
+        match.notices.emplace_back(
+            "its faces are wound the other way than the source's, so that the outside stays out");
+    } else if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);
         write_file(
             is_obj(command.source)

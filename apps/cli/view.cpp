@@ -90,6 +90,16 @@ std::optional<ViewerValues> alike_parts(const TriangleMesh& source, const Triang
     return values;
 }
 
+// What match found, with its verdict, and the runner-ups by what they are.
+std::vector<ViewerMap> maps_to_show(const FoundMap<VertexMap>& found) {
+    std::vector<ViewerMap> maps = {{"match", found.map}};
+    const std::string verdict = found.report.value("verdict", ""),
+                      reason = found.report.value("verdict_reason", "");
+    maps[0].evaluation = reason.empty() ? verdict : fmt::format("{}: {}", verdict, reason);
+    for (const auto& [description, map] : found.runner_ups) maps.push_back({description, map});
+    return maps;
+}
+
 // The first true target vertex of each source vertex.
 std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
     std::vector<Index> image(static_cast<std::size_t>(n_source), VertexMap::unmatched);
@@ -119,6 +129,7 @@ void run(ViewCommand& command) {
     const TriangleMesh& source = source_content.mesh;
     const TriangleMesh& target = target_content.mesh;
     const MeshPair pair{source, target, command.source, command.target};
+    ViewerOptions options = command.options;
     std::vector<LoadedMap> loaded;
     std::vector<ViewerMap> maps;
     Json match_report = Json::object();
@@ -128,11 +139,13 @@ void run(ViewCommand& command) {
     }
     if (maps.empty()) {
         FoundMap<VertexMap> found = matched(pair, command.common);
+        maps = maps_to_show(found);
+        for (const ViewerMap& map : maps) loaded.push_back({map.target_from_source, std::nullopt});
+        if (found.confidence.size() > 0)
+            options.values.push_back(
+                {"confidence of match", {found.confidence.begin(), found.confidence.end()}});
         match_report = std::move(found.report);
-        loaded.push_back({std::move(found.map), std::nullopt});
-        maps.push_back({"match", loaded.back().vertices});
     }
-    ViewerOptions options = command.options;
     if (command.up == "auto") command.up = guessed_up(source, command.common);
     options.up = render::find_camera(source, {.direction = "front", .up = command.up}).row(1).transpose();
     for (const std::filesystem::path& file : command.values)

@@ -12,19 +12,18 @@
 """
 
 from . import _core
+from ._alignment import AlignResult, align
 from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
+from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
+from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
 from ._maps import (
-    Evaluation,
     MapLike,
-    MapQuality,
     SurfaceMap,
     complete_map,
     compose_maps,
-    evaluate,
     invert_map,
-    map_quality,
     nearest_corners,
     project_map,
     read_map,
@@ -69,12 +68,10 @@ from ._spectral import (
     zoom_out,
 )
 from ._transfer import (
-    AlignResult,
     FitResult,
     MorphResult,
     ReorderResult,
     TransferResult,
-    align,
     fit,
     morph,
     reorder,
@@ -100,6 +97,7 @@ __all__ = [
     "IntArray",
     "InvalidInput",
     "IoError",
+    "Landmarks",
     "MapLike",
     "MapQuality",
     "MatchResult",
@@ -132,6 +130,7 @@ __all__ = [
     "heat_kernel_signature",
     "inspect",
     "invert_map",
+    "landmark_pairs",
     "make_body",
     "make_grid",
     "make_icosphere",
@@ -149,6 +148,7 @@ __all__ = [
     "nearest_corners",
     "project_map",
     "read",
+    "read_landmarks",
     "read_map",
     "render",
     "reorder",
@@ -163,6 +163,7 @@ __all__ = [
     "view",
     "wave_kernel_signature",
     "write",
+    "write_landmarks",
     "write_map",
     "zoom_out",
 ]

@@ -56,6 +56,23 @@ def integers(values: Any, what: str, shape: tuple[int, ...]) -> IntArray:
     return _laid_out(array, np.int32)
 
 
+def pairs(values: Any, what: str, *, or_map: bool = False) -> IntArray:
+    """Pairs of vertices, n x 2, also of a pair (first, second) of two arrays or lists; with `or_map` any array of one
+    dimension passes as it is."""
+    if isinstance(values, tuple) and len(values) == 2 and all(_is_column(column) for column in values):
+        first, second = (integers(column, what, (-1,)) for column in values)
+        if len(first) != len(second):
+            raise InvalidInput(f"{what}: {len(first)} vertices and {len(second)} make no pairs")
+        return np.column_stack([first, second])
+    array = real_numbers(values, what)
+    return integers(array, what, (-1,) if or_map and array.ndim == 1 else (-1, 2))
+
+
+def _is_column(value: Any) -> bool:
+    """An array or a list, not a tuple: that is one pair."""
+    return not isinstance(value, tuple) and getattr(np.asarray(value), "ndim", 0) == 1
+
+
 def _require_shape(array: npt.NDArray[Any], what: str, shape: tuple[int, ...]) -> None:
     if array.ndim != len(shape) or any(shape[i] not in (-1, array.shape[i]) for i in range(len(shape))):
         wanted = " x ".join("n" if length == -1 else str(length) for length in shape)

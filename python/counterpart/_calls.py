@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 ProgressLike = bool | Callable[[float], Any] | None
 """None; True for a bar (of tqdm, if installed); or a function of the fraction done, which cancels by returning False.
@@ -70,7 +71,10 @@ def _brief(value: Any) -> str:
 
 
 class Result:
-    """Base of the results: small objects with named fields. Arrays show as their type and shape."""
+    """Base of the results: small objects with named fields. Arrays show as their type and shape.
+
+    They can be copied and pickled, and so go to other processes.
+    """
 
     def __repr__(self) -> str:
         if not dataclasses.is_dataclass(self):
@@ -78,3 +82,20 @@ class Result:
         names = [field.name for field in dataclasses.fields(self) if field.repr]
         shown = [f"{name}={_brief(getattr(self, name))}" for name in names]
         return f"{type(self).__name__}({', '.join(shown)})"
+
+
+class MapResult(Result):
+    """A result that holds a map: NumPy takes it for that map.
+
+    Attributes
+    ----------
+    target_from_source : npt.NDArray[np.int32]
+        The map.
+    """
+
+    target_from_source: npt.NDArray[np.int32]
+
+    def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        if copy:
+            return np.array(self.target_from_source, dtype)
+        return np.asarray(self.target_from_source, dtype)

@@ -6,9 +6,11 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Protocol, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _core
 from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
@@ -19,28 +21,44 @@ from ._meshes import MeshLike, core_mesh
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SurfaceMap(Result):
-    """For each source vertex a point of a target triangle."""
+    """For each source vertex a point of a target triangle.
+
+    Attributes
+    ----------
+    triangle : ndarray of int, (n_source,)
+        The target triangle, -1 for unmatched vertices.
+    weights : ndarray, (n_source, 3)
+        Barycentric weights in the triangle's corner order; each at least 0, sum 1.
+    """
 
     triangle: IntArray
-    """(n_source,): the target triangle, -1 for unmatched vertices."""
     weights: FloatArray
-    """(n_source, 3): barycentric weights in the triangle's corner order; each at least 0, sum 1."""
 
     def __len__(self) -> int:
         return len(self.triangle)
 
 
-MapLike = SurfaceMap | Any
-"""Target vertex of each source vertex (-1 for none): an array, a path, or any result that has `target_from_source`; or,
-where points inside triangles are meant, a `SurfaceMap`."""
+class _HoldsMap(Protocol):
+    @property
+    def target_from_source(self) -> Any: ...
 
 
-def vertex_map_of(target_from_source: MapLike, what: str = "target_from_source") -> IntArray:
-    """The map as int32, one entry per source vertex."""
-    value = _opened(target_from_source)
-    if isinstance(value, SurfaceMap):
-        raise InvalidInput(f"{what} must be a map to vertices: see nearest_corners")
-    return integers(value, what, (-1,))
+MapLike = str | os.PathLike[str] | SurfaceMap | npt.NDArray[Any] | Sequence[int] | _HoldsMap
+"""Target vertex of each source vertex (-1 for none): an array, a path, or any result that has `target_from_source`; or
+a `SurfaceMap`, which counts as the map to the nearest corners where vertices are meant."""
+
+
+def vertex_map_of(target_from_source: MapLike, target: _core.Mesh | None, what: str = "target_from_source") -> IntArray:
+    """The map to vertices as int32, one entry per source vertex."""
+    value = opened(target_from_source)
+    if not isinstance(value, SurfaceMap):
+        return integers(value, what, (-1,))
+    if target is None:
+        raise InvalidInput(
+            f"{what} is a map to points of triangles, and their mesh is not known here: see nearest_corners"
+        )
+    triangle = integers(value.triangle, "triangle", (-1,))
+    return _core.nearest_corners(target, triangle, floats(value.weights, "weights", (len(triangle), 3)))
 
 
 def surface_map_of(
@@ -51,23 +69,24 @@ def surface_map_of(
         if source.n_vertices != target.n_vertices:
             raise InvalidInput(f"the meshes have {source.n_vertices} and {target.n_vertices} vertices: give a map")
         return _core.surface_map(target, np.arange(source.n_vertices, dtype=np.int32))
-    value = _opened(target_from_source)
+    value = opened(target_from_source)
     if isinstance(value, SurfaceMap):
         triangle, weights = value.triangle, value.weights
     else:
-        image = _checked(integers(value, "target_from_source", (-1,)), source)
+        image = require_length(integers(value, "target_from_source", (-1,)), source)
         triangle, weights = _core.project_map(source, target, image, 2, 3, 0, 0.5, n_threads, None)
-    triangle = _checked(integers(triangle, "triangle", (-1,)), source)
+    triangle = require_length(integers(triangle, "triangle", (-1,)), source)
     return triangle, floats(weights, "weights", (len(triangle), 3))
 
 
-def _opened(value: MapLike) -> Any:
+def opened(value: MapLike) -> Any:
     if isinstance(value, (str, os.PathLike)):
         return read_map(value)
     return getattr(value, "target_from_source", value)
 
 
-def _checked(image: IntArray, source: _core.Mesh) -> IntArray:
+def require_length(image: IntArray, source: _core.Mesh) -> IntArray:
+    """The map, if it has an entry for each vertex of the source."""
     if len(image) != source.n_vertices:
         raise InvalidInput(f"the map has {len(image)} entries, but its source mesh has {source.n_vertices} vertices")
     return image
@@ -88,12 +107,13 @@ def read_map(file: str | os.PathLike[str], *, one_based: bool = False) -> IntArr
 
 def write_map(map: MapLike, file: str | os.PathLike[str], *, one_based: bool = False) -> None:
     """Write a map, to ``.npy`` if the file has that extension, else to text. The program reads both."""
-    if isinstance(map, SurfaceMap):
+    value = opened(map)
+    if isinstance(value, SurfaceMap):
         _core.write_surface_map(
-            integers(map.triangle, "triangle", (-1,)), floats(map.weights, "weights", (-1, 3)), os.fspath(file)
+            integers(value.triangle, "triangle", (-1,)), floats(value.weights, "weights", (-1, 3)), os.fspath(file)
         )
     else:
-        _core.write_map(vertex_map_of(map, "map"), os.fspath(file), one_based)
+        _core.write_map(vertex_map_of(value, None, "map"), os.fspath(file), one_based)
 
 
 def project_map(
@@ -126,13 +146,10 @@ def project_map(
         0 for all; the result does not depend on it.
     progress : ProgressLike
     """
-    image = vertex_map_of(target_from_source)
+    begin, end = core_mesh(source), core_mesh(target)
+    image = vertex_map_of(target_from_source, end)
     with reporting(progress, "projecting") as report:
-        return SurfaceMap(
-            *_core.project_map(
-                core_mesh(source), core_mesh(target), image, rings, passes, extend, exact_share, n_threads, report
-            )
-        )
+        return SurfaceMap(*_core.project_map(begin, end, image, rings, passes, extend, exact_share, n_threads, report))
 
 
 def invert_map(
@@ -157,10 +174,10 @@ def invert_map(
     SurfaceMap
         One point per target vertex.
     """
-    source, target = core_mesh(source), core_mesh(target)
-    triangle, weights = surface_map_of(target_from_source, source, target, n_threads)
+    begin, end = core_mesh(source), core_mesh(target)
+    triangle, weights = surface_map_of(target_from_source, begin, end, n_threads)
     with reporting(progress, "inverting") as report:
-        return SurfaceMap(*_core.invert_surface_map(source, target, triangle, weights, n_threads, report))
+        return SurfaceMap(*_core.invert_surface_map(begin, end, triangle, weights, n_threads, report))
 
 
 def complete_map(
@@ -170,9 +187,9 @@ def complete_map(
 
     With `max_edges` only vertices at most that many edges from a matched one are; the rest stays unmatched.
     """
-    source, target = core_mesh(source), core_mesh(target)
-    triangle, weights = surface_map_of(target_from_source, source, target)
-    return SurfaceMap(*_core.complete_map(source, target, triangle, weights, max_edges)[0])
+    begin, end = core_mesh(source), core_mesh(target)
+    triangle, weights = surface_map_of(target_from_source, begin, end)
+    return SurfaceMap(*_core.complete_map(begin, end, triangle, weights, max_edges)[0])
 
 
 def nearest_corners(target: MeshLike, target_from_source: SurfaceMap) -> IntArray:
@@ -184,9 +201,35 @@ def nearest_corners(target: MeshLike, target_from_source: SurfaceMap) -> IntArra
     )
 
 
-def compose_maps(b_from_a: MapLike, c_from_b: MapLike) -> IntArray:
-    """``c_from_a``: first the one map, then the other; -1 where either is."""
-    return _core.compose_maps(vertex_map_of(b_from_a, "b_from_a"), vertex_map_of(c_from_b, "c_from_b"))
+@overload
+def compose_maps(b_from_a: MapLike, c_from_b: SurfaceMap, b: MeshLike | None = None) -> SurfaceMap: ...
+@overload
+def compose_maps(b_from_a: MapLike, c_from_b: MapLike, b: MeshLike | None = None) -> IntArray | SurfaceMap: ...
+def compose_maps(b_from_a: MapLike, c_from_b: MapLike, b: MeshLike | None = None) -> IntArray | SurfaceMap:
+    """``c_from_a``: first the one map, then the other; -1 where either is.
+
+    Parameters
+    ----------
+    b_from_a, c_from_b : MapLike
+    b : MeshLike, optional
+        The mesh between, needed where `b_from_a` is a `SurfaceMap`: its nearest corners are taken.
+
+    Returns
+    -------
+    ndarray of int32, (n_a,), or SurfaceMap
+        As `c_from_b`.
+    """
+    first = vertex_map_of(b_from_a, None if b is None else core_mesh(b), "b_from_a")
+    then = opened(c_from_b)
+    if not isinstance(then, SurfaceMap):
+        return _core.compose_maps(first, integers(then, "c_from_b", (-1,)))
+    triangle = integers(then.triangle, "triangle", (-1,))
+    row = _core.compose_maps(first, np.arange(len(triangle), dtype=np.int32))  # checks that the maps fit
+    weights = floats(then.weights, "weights", (len(triangle), 3))
+    matched = (row >= 0) & (triangle[row] >= 0)
+    return SurfaceMap(
+        np.where(matched, triangle[row], -1).astype(np.int32), np.where(matched[:, None], weights[row], 0.0)
+    )
 
 
 def transfer_values(
@@ -208,132 +251,11 @@ def transfer_values(
     """
     array = real_numbers(values, "values")
     columns = floats(array[:, None] if array.ndim == 1 else array, "values", (-1, -1))
-    source, target = core_mesh(source), core_mesh(target)
-    if len(columns) != source.n_vertices:
-        raise InvalidInput(f"{len(columns)} values, but the source has {source.n_vertices} vertices")
-    triangle, weights = surface_map_of(target_from_source, source, target, n_threads)
-    back = _core.invert_surface_map(source, target, triangle, weights, n_threads, None)
-    pulled = _core.pull(source, *back, columns)
+    begin, end = core_mesh(source), core_mesh(target)
+    if len(columns) != begin.n_vertices:
+        raise InvalidInput(f"{len(columns)} values, but the source has {begin.n_vertices} vertices")
+    triangle, weights = surface_map_of(target_from_source, begin, end, n_threads)
+    back = _core.invert_surface_map(begin, end, triangle, weights, n_threads, None)
+    pulled = _core.pull(begin, *back, columns)
     pulled[back[0] < 0] = np.nan
     return pulled[:, 0] if array.ndim == 1 else pulled
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class MapQuality(Result):
-    """What can be said of a map without the truth; see `map_quality`."""
-
-    n_matched: int
-    """Source vertices with an image."""
-    n_distinct: int
-    """Distinct target vertices among the images."""
-    coverage: float
-    """n_distinct / target vertices."""
-    preserved_edges: float
-    """Of the source's edges with both ends matched, the fraction that map to a target edge."""
-    collapsed_edges: float
-    """The fraction whose ends map to one vertex."""
-
-
-def map_quality(source: MeshLike, target: MeshLike, target_from_source: MapLike) -> MapQuality:
-    """Measure a map without the truth."""
-    return MapQuality(**_core.map_quality(core_mesh(source), core_mesh(target), vertex_map_of(target_from_source)))
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Evaluation(Result):
-    """Errors of a map against the truth: see `evaluate`.
-
-    Errors in `mean_error` .. `max_error` and `thresholds` are geodesic distances x 100 / sqrt(target area).
-    """
-
-    n_pairs: int
-    n_unmatched: int
-    n_other_component: int
-    n_exact: int
-    target_area: float
-    """Squared mesh units."""
-    error: FloatArray
-    """Per true pair, in mesh units: inf for another component, NaN where unmatched."""
-    mean_error: float
-    median_error: float
-    percentile_95_error: float
-    max_error: float
-    cost: dict[str, float]
-    """Sum of the squared errors, `raw` in squared mesh units and `normalized` to mean / area."""
-    base_vertex_cost: dict[str, float] | None
-    thresholds: FloatArray
-    fraction_within: FloatArray
-    """The fraction of the matched pairs with an error up to each threshold."""
-
-
-def truth_pairs(truth: Any, source: _core.Mesh) -> IntArray:
-    """Pairs (source vertex, target vertex) from a map with -1 for unknown, or pairs."""
-    value = _opened(truth)
-    array = real_numbers(value, "truth")
-    if array.ndim == 2:
-        return integers(array, "truth", (-1, 2))
-    image = _checked(integers(array, "truth", (-1,)), source)
-    if image.size and image.min() < -1:
-        first = int(np.argmax(image < -1))
-        raise InvalidInput(f"truth: entry {first} is {image[first]}; a vertex, or -1 for none, is needed")
-    known = np.flatnonzero(image >= 0).astype(np.int32)
-    return np.ascontiguousarray(np.column_stack([known, image[known]]), np.int32)
-
-
-def evaluate(
-    source: MeshLike,
-    target: MeshLike,
-    target_from_source: MapLike,
-    truth: Any,
-    *,
-    shortcuts: bool = True,
-    n_base_vertices: int = 0,
-    thresholds: Any = (),
-    n_threads: int = 0,
-    progress: ProgressLike = None,
-) -> Evaluation:
-    """Measure a map against the truth, along the target's surface.
-
-    Parameters
-    ----------
-    source, target : MeshLike
-    target_from_source : MapLike
-        The map to measure.
-    truth : array_like of int, (n_source,) or (n_pairs, 2)
-        The true target vertex of each source vertex (-1 for unknown), or pairs of vertices; or a map file.
-    shortcuts : bool
-        Measure along edges and shortcuts across them (1-2 % above exact geodesics), or along edges only (15 %).
-    n_base_vertices : int
-        Also approximate the cost from this many farthest-point samples.
-    thresholds : array_like, optional
-        Errors at which the curve is sampled, increasing. Default: 0, 0.25, ..., 25.
-    n_threads : int
-    progress : ProgressLike
-
-    Returns
-    -------
-    Evaluation
-
-    Examples
-    --------
-    >>> import counterpart
-    >>> a = counterpart.make_body(0)
-    >>> b, truth = counterpart.shuffle(a)
-    >>> counterpart.evaluate(a, b, counterpart.match(a, b), truth).mean_error
-    0.0
-    """
-    source, target = core_mesh(source), core_mesh(target)
-    with reporting(progress, "measuring") as report:
-        return Evaluation(
-            **_core.evaluate(
-                source,
-                target,
-                vertex_map_of(target_from_source),
-                truth_pairs(truth, source),
-                shortcuts,
-                n_base_vertices,
-                floats(thresholds, "thresholds", (-1,)),
-                n_threads,
-                report,
-            )
-        )

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeVar
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, floats, integers
+from ._arrays import FloatArray, IntArray, floats, pairs
 from ._core import InvalidInput
 
 Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "nearest", "assignment"]
@@ -51,17 +51,17 @@ def spectral_options(
 ) -> _core.SpectralOptions:
     return with_fields(
         _core.SpectralOptions(),
-        landmarks=pairs(landmarks, "landmarks"),
-        excluded=pairs(excluded, "excluded"),
+        landmarks=known_pairs(landmarks, "landmarks"),
+        excluded=known_pairs(excluded, "excluded"),
         up=direction(up, "up"),
         facing=direction(facing, "facing"),
         **plain,
     )
 
 
-def pairs(values: Any, what: str) -> Any:
+def known_pairs(values: Any, what: str) -> IntArray | None:
     """Pairs (source vertex, target vertex), n x 2, or None."""
-    return None if values is None else integers(values, what, (-1, 2))
+    return None if values is None else pairs(values, what)
 
 
 def direction(value: Direction | None, what: str) -> FloatArray | None:

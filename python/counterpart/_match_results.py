@@ -8,43 +8,77 @@ import dataclasses
 from typing import Any
 
 from ._arrays import FloatArray, IntArray
-from ._calls import Result
+from ._calls import MapResult, Result
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Count(Result):
-    """A number that may be too large to write out."""
+    """A number that may be too large to write out.
+
+    Attributes
+    ----------
+    log10 : float
+        Decimal logarithm of the number.
+    number : int | None
+        None from 10^13 on.
+    is_lower_bound : bool
+        The number is at least this.
+    text : str
+        The number in words.
+    """
 
     log10: float
     number: int | None
-    """None from 10^13 on."""
     is_lower_bound: bool
     text: str
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ExactResult(Result):
-    """What `match_exact` found. Only if `identical` does the rest mean anything."""
+class ExactResult(MapResult):
+    """What `match_exact` found. Only if `identical` does the rest mean anything.
+
+    Attributes
+    ----------
+    identical : bool
+        The meshes have the same connectivity.
+    difference : str
+        Else the first difference found, as a sentence.
+    target_from_source : ndarray of int, (n_source,)
+        The target vertex of each source vertex.
+    target_corner_from_source : ndarray of int, (n_source_triangles, 3)
+        For every corner of the source, 3 * triangle + corner of the target.
+    n_components : int
+        Components, connected through manifold edges.
+    interchangeable : list[dict]
+        Groups of components that connectivity does not tell apart.
+    automorphisms : Count
+        Of the source, orientation-preserving, with the identity.
+    mirror_automorphisms : Count
+        Of the source, orientation-reversing.
+    reversed_triangles : int
+        Triangles in opposite winding in the target.
+    winding_reversed : bool
+        The target's winding is reversed as a whole.
+    mirrored : bool
+        The target is a mirror image of the source.
+    alternatives : list[ndarray of int]
+        The other matches of a symmetric mesh, best first.
+    notices : list[str]
+        What a person should know of it, as sentences.
+    """
 
     identical: bool
-    """The meshes have the same connectivity."""
     difference: str
-    """Else the first difference found, as a sentence."""
     target_from_source: IntArray
-    """(n_source,)"""
     target_corner_from_source: IntArray
-    """(n_source_triangles, 3): for every corner of the source, 3 * triangle + corner of the target."""
     n_components: int
     interchangeable: list[dict[str, Any]]
-    """Groups of components that connectivity does not tell apart."""
     automorphisms: Count
     mirror_automorphisms: Count
     reversed_triangles: int
     winding_reversed: bool
     mirrored: bool
-    """The target is a mirror image of the source."""
     alternatives: list[IntArray]
-    """The other matches of a symmetric mesh, best first."""
     notices: list[str]
 
     @classmethod
@@ -55,7 +89,21 @@ class ExactResult(Result):
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Edit(Result):
-    """One place where two meshes differ."""
+    """One place where two meshes differ.
+
+    Attributes
+    ----------
+    sentence : str
+        What differs here.
+    source_triangles : ndarray of int
+        Those without a counterpart.
+    target_triangles : ndarray of int
+        Those without a counterpart.
+    source_vertices : ndarray of int
+        Those without a counterpart.
+    target_vertices : ndarray of int
+        Those without a counterpart.
+    """
 
     sentence: str
     source_triangles: IntArray
@@ -65,28 +113,54 @@ class Edit(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Differences(Result):
-    """What two meshes share and where they differ; see `find_differences`."""
+class Differences(MapResult):
+    """What two meshes share and where they differ; see `find_differences`.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        -1 where the meshes differ.
+    source_share : float
+        Share of the source's vertices that are matched, 0 .. 1.
+    target_share : float
+        Share of the target's vertices that are matched, 0 .. 1.
+    uncertain : ndarray of int
+        Matched source vertices to doubt.
+    source_vertices : ndarray of int
+        Without a counterpart; likewise the following.
+    target_vertices : ndarray of int
+        Without a counterpart.
+    source_triangles : ndarray of int
+        Without a counterpart.
+    target_triangles : ndarray of int
+        Without a counterpart.
+    edits : list[Edit]
+        The same, place by place.
+    n_matched_triangles : int
+        Triangles with a counterpart.
+    largest_region : int
+        Matched triangles in the largest region that edges connect.
+    winding_reversed : bool
+        The target is wound against the source.
+    is_ambiguous : bool
+        Another way to match the meshes had nearly as much evidence: then every vertex is uncertain.
+    summary : str
+        All of it in one sentence.
+    """
 
     target_from_source: IntArray
-    """(n_source,), -1 where the meshes differ."""
     source_share: float
-    """Share of the source's vertices that are matched, 0 .. 1."""
     target_share: float
     uncertain: IntArray
-    """Matched source vertices to doubt."""
     source_vertices: IntArray
-    """Without a counterpart; likewise the following."""
     target_vertices: IntArray
     source_triangles: IntArray
     target_triangles: IntArray
     edits: list[Edit]
-    """The same, place by place."""
     n_matched_triangles: int
     largest_region: int
     winding_reversed: bool
     is_ambiguous: bool
-    """Another way to match the meshes had nearly as much evidence: then every vertex is uncertain."""
     summary: str
 
     @classmethod
@@ -95,44 +169,80 @@ class Differences(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class FrontiersResult(Result):
-    """What `match_frontiers` found."""
+class FrontiersResult(MapResult):
+    """What `match_frontiers` found.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        The target vertex of each source vertex, -1 for none.
+    confidence : ndarray, (n_source,)
+        The fraction of the vertex's edges that map to edges.
+    components : list[dict]
+        How each component was matched, largest first.
+    n_decided_by_position : int
+        Vertices that only their place told apart.
+    seconds : dict[str, float]
+        The seconds of each stage, by name.
+    """
 
     target_from_source: IntArray
     confidence: FloatArray
-    """(n_source,): the fraction of the vertex's edges that map to edges."""
     components: list[dict[str, Any]]
-    """How each component was matched, largest first."""
     n_decided_by_position: int
     seconds: dict[str, float]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Alternative(Result):
-    """A runner-up of `match_spectral`."""
+class Alternative(MapResult):
+    """A runner-up of `match_spectral`.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        Every vertex matched.
+    score : float
+        Comparable with the best map's.
+    description : str
+        How it differs from the best map: mirrored, turned, or somewhere else.
+    """
 
     target_from_source: IntArray
     score: float
     description: str
-    """How it differs from the best map: mirrored, turned, another limb."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SpectralResult(Result):
-    """What `match_spectral` found."""
+class SpectralResult(MapResult):
+    """What `match_spectral` found.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        Every vertex matched.
+    source_from_target : ndarray of int, (n_target,)
+        Every vertex matched.
+    confidence : ndarray, (n_source,)
+        Above 0.8 is reliable, below 0.2 is not.
+    score : float
+        Of the best map, comparable with those of the runners-up; at most about 1.
+    margin : float
+        Over the best runner-up's score; inf if there is none.
+    alternatives : list[Alternative]
+        Runners-up, best first.
+    warnings : list[str]
+        Sentences: what may be wrong, and what to do.
+    seconds : dict[str, float]
+        The seconds of each stage, by name.
+    """
 
     target_from_source: IntArray
-    """(n_source,), every vertex matched."""
     source_from_target: IntArray
-    """(n_target,), every vertex matched."""
     confidence: FloatArray
-    """(n_source,): above 0.8 is reliable, below 0.2 is not."""
     score: float
     margin: float
-    """Over the best runner-up's score; inf if there is none."""
     alternatives: list[Alternative]
     warnings: list[str]
-    """Sentences: what may be wrong, and what to do."""
     seconds: dict[str, float]
 
     @classmethod
@@ -141,45 +251,77 @@ class SpectralResult(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PartialAlternative(Result):
-    """A runner-up of `match_partial`."""
+class PartialAlternative(MapResult):
+    """A runner-up of `match_partial`.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        -1 for what has no partner on the target.
+    score : float
+        Comparable with the best map's.
+    moved : float
+        Share of the matched vertices that it takes to another place than the best map.
+    """
 
     target_from_source: IntArray
     score: float
     moved: float
-    """Share of the matched vertices that it takes to another place than the best map."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PartialResult(Result):
-    """What `match_partial` found."""
+class PartialResult(MapResult):
+    """What `match_partial` found.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        -1 for what has no partner on the target.
+    source_from_target : ndarray of int, (n_target,)
+        -1 for what has no partner on the source.
+    confidence : ndarray, (n_source,)
+        Above 0.8 is reliable, below 0.2 is not; of an unmatched vertex, that it is so.
+    part : str
+        Which mesh is a part, as given or as seen: "source", "target", "both" or "neither".
+    scale : float
+        By which the source was multiplied.
+    source_share : float
+        Of the source's area with a partner, 0 .. 1.
+    target_share : float
+        Of the target's area with a partner, 0 .. 1.
+    score : float
+        How alike the matched surfaces look, 0 .. 1: right maps reach about 0.6 and more. Of two whole surfaces the
+        score of `match_spectral`.
+    agreement : float
+        Of a part: how well distances agree, 0 .. 1.
+    margin : float
+        Over the best runner-up's score; inf if there is none.
+    alternatives : list[PartialAlternative]
+        Runners-up, best first.
+    source_touching : ndarray of int
+        Of two whole surfaces: vertices where one seems to be fused with another part of itself.
+    target_touching : ndarray of int
+        The same of the target.
+    warnings : list[str]
+        Sentences: what may be wrong, and what to do.
+    seconds : dict[str, float]
+        The seconds of each stage, by name.
+    """
 
     target_from_source: IntArray
-    """(n_source,), -1 for what has no partner on the target."""
     source_from_target: IntArray
-    """(n_target,), -1 for what has no partner on the source."""
     confidence: FloatArray
-    """(n_source,): above 0.8 is reliable, below 0.2 is not; of an unmatched vertex, that it is so."""
     part: str
-    """Which mesh is a part, as given or as seen: "source", "target", "both" or "neither"."""
     scale: float
-    """By which the source was multiplied."""
     source_share: float
-    """Of the source's area with a partner, 0 .. 1."""
     target_share: float
     score: float
-    """How alike the matched surfaces look, 0 .. 1: right maps reach about 0.6 and more. Of two whole surfaces the score
-    of `match_spectral`."""
     agreement: float
-    """Of a part: how well distances agree, 0 .. 1."""
     margin: float
-    """Over the best runner-up's score; inf if there is none."""
     alternatives: list[PartialAlternative]
     source_touching: IntArray
-    """Of two whole surfaces: vertices where one seems to be fused with another part of itself."""
     target_touching: IntArray
     warnings: list[str]
-    """Sentences: what may be wrong, and what to do."""
     seconds: dict[str, float]
 
     @classmethod
@@ -188,21 +330,45 @@ class PartialResult(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class MatchResult(Result):
-    """What `match` found."""
+class MatchResult(MapResult):
+    """What `match` found.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        The target vertex of each source vertex, -1 for none.
+    method : str
+        The method that found it.
+    reason : str
+        Why it was chosen, as a sentence; empty if it was asked for.
+    confidence : ndarray, (n_source,)
+        0 .. 1: 1 where connectivity determines the partner, 0 where nothing but place speaks for it.
+    n_filled : int
+        Vertices without a partner that follow those around them.
+    warnings : list[str]
+        Sentences: what may be wrong, and what to do.
+    notices : list[str]
+        Sentences: what was noticed on the way, such as symmetry.
+    seconds : dict[str, float]
+        The seconds of each stage, by name.
+    exact : ExactResult | None
+        What `match_exact` found, if it ran.
+    differences : Differences | None
+        What `find_differences` found, if it ran.
+    frontiers : FrontiersResult | None
+        What `match_frontiers` found, if it ran.
+    spectral : SpectralResult | None
+        What `match_spectral` found, if it ran.
+    partial : PartialResult | None
+        What `match_partial` found, if it ran.
+    """
 
     target_from_source: IntArray
-    """(n_source,): the target vertex of each source vertex, -1 for none."""
     method: str
-    """The method that found it."""
     reason: str
-    """Why it was chosen, as a sentence; empty if it was asked for."""
     confidence: FloatArray
-    """(n_source,), 0 .. 1: 1 where connectivity determines the partner, 0 where nothing but place speaks for it."""
     n_filled: int
-    """Vertices without a partner that follow those around them."""
     warnings: list[str]
-    """Sentences: what may be wrong, and what to do."""
     notices: list[str]
     seconds: dict[str, float]
     exact: ExactResult | None = dataclasses.field(default=None, repr=False)

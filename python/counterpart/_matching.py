@@ -4,15 +4,19 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 from typing import Any
 
 from . import _core
 from ._arrays import IntArray
 from ._calls import ProgressLike, reporting
-from ._match_options import Direction, Method, Pairing, Part, exact_options, pairs, spectral_options, with_fields
+from ._core import InvalidInput
+from ._maps import MapLike, SurfaceMap, opened, require_length, surface_map_of, vertex_map_of
+from ._match_options import Direction, Method, Pairing, Part, exact_options, known_pairs, spectral_options, with_fields
 from ._match_results import Differences, ExactResult, FrontiersResult, MatchResult
 from ._meshes import MeshLike, core_mesh
+from ._shape_matching import SpectralShape
 
 
 def match(
@@ -20,6 +24,7 @@ def match(
     target: MeshLike,
     method: Method = "auto",
     *,
+    initial: MapLike | None = None,
     landmarks: Any = None,
     soft_landmarks: bool = False,
     excluded: Any = None,
@@ -45,14 +50,18 @@ def match(
     Parameters
     ----------
     source, target : MeshLike
-        Paths, pairs ``(vertices, triangles)``, or meshes of trimesh, Open3D, pyvista or meshio.
+        Paths, pairs ``(vertices, triangles)``, meshes of trimesh, Open3D, pyvista or meshio; or a `SpectralShape`, so
+        that spectral need not prepare it.
     method : str
         "auto" tries, in this order: the same connectivity (exact); nearly the same (what the meshes share, the gaps
         filled); where a mesh is open, or `part` is given, partial; else spectral; where that cannot work, the nearest
         vertices after a similarity alignment. Partners that 30 % or more of the connectivity shows are kept by partial
         and spectral. The others go by name: "exact", "frontiers", "partial", "spectral",
         "nearest", "assignment".
-    landmarks : array_like of int, (n, 2), optional
+    initial : MapLike, optional
+        A map that is roughly known: it is refined by eigenfunctions, instead of searching for one. With "auto" or
+        "spectral"; no other option but `n_threads` and `progress` is then used.
+    landmarks : array_like of int, (n, 2), or a pair of arrays, optional
         Known pairs (source vertex, target vertex), one or more: they guide the search of spectral and partial, and hold
         exactly.
     soft_landmarks : bool
@@ -111,6 +120,9 @@ def match(
     >>> result.method, bool((result.target_from_source == truth).all())
     ('exact', True)
     """
+    if initial is not None:
+        _refuse_beside_initial(locals())
+        return _refined(source, target, initial, n_threads, progress)
     options = with_fields(
         _core.MatchOptions(),
         method=method,
@@ -131,7 +143,7 @@ def match(
             _core.PartialOptions(),
             part=part,
             same_scale=same_scale,
-            landmarks=pairs(landmarks, "landmarks"),
+            landmarks=known_pairs(landmarks, "landmarks"),
             soft_landmarks=soft_landmarks,
             n_alternatives=n_alternatives,
             seed=seed,
@@ -140,8 +152,47 @@ def match(
     )
     if cache is not None:
         options.cache = os.fspath(cache)
+    source_shape, target_shape = (mesh._shape if isinstance(mesh, SpectralShape) else None for mesh in (source, target))
     with reporting(progress, "matching") as report:
-        return MatchResult._of(_core.match(core_mesh(source), core_mesh(target), options, report))
+        return MatchResult._of(
+            _core.match(core_mesh(source), core_mesh(target), options, source_shape, target_shape, report)
+        )
+
+
+def _refuse_beside_initial(given: dict[str, Any]) -> None:
+    if given["method"] not in ("auto", "spectral"):
+        raise InvalidInput(f"initial is refined by eigenfunctions: method cannot be '{given['method']}'")
+    used = ("source", "target", "method", "initial", "n_threads", "progress")
+    for name, parameter in inspect.signature(match).parameters.items():
+        if name not in used and _differs(given[name], parameter.default):
+            raise InvalidInput(f"{name} is not used where a map is given to be refined")
+
+
+def _differs(value: Any, default: Any) -> bool:
+    return value is not default and (default is None or value != default)
+
+
+def _refined(
+    source: MeshLike, target: MeshLike, initial: MapLike, n_threads: int, progress: ProgressLike
+) -> MatchResult:
+    begin, end = core_mesh(source), core_mesh(target)
+    value = opened(initial)
+    if isinstance(value, SurfaceMap):
+        pair = surface_map_of(value, begin, end)
+    else:
+        pair = _core.surface_map(end, require_length(vertex_map_of(value, end, "initial"), begin))
+    with reporting(progress, "matching") as report:
+        image, confidence, n_kept, seconds = _core.refine_map(begin, end, *pair, n_threads, report)
+    return MatchResult(
+        target_from_source=image,
+        method="spectral",
+        reason="a map was given to be refined",
+        confidence=confidence,
+        n_filled=0,
+        warnings=[],
+        notices=[f"refined the given map: {n_kept} of {len(image)} images stayed"],
+        seconds=seconds,
+    )
 
 
 def match_exact(

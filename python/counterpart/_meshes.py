@@ -6,13 +6,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers
+from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._core import InvalidInput
+from ._other_packages import faces_of_other
 
 Attribute = tuple[FloatArray, IntArray]
 """Values (n x k) and, for each corner of each triangle, its row among them (n_triangles x 3, -1 for none)."""
@@ -38,6 +39,8 @@ class Mesh:
         Both n_vertices x k: joint numbers, and weights that sum to 1 in each row.
     morphs : mapping of str to array_like, optional
         Displacements (n_vertices x 3) of each morph target.
+    values : mapping of str to array_like, optional
+        What was measured at each vertex, or its label, by name: n_vertices, or n_vertices x k.
 
     Examples
     --------
@@ -65,12 +68,13 @@ class Mesh:
         colors: Sequence[tuple[Any, Any]] = (),
         skin: tuple[Any, Any] | None = None,
         morphs: Mapping[str, Any] | None = None,
+        values: Mapping[str, Any] | None = None,
     ) -> None:
         self._vertices = floats(vertices, "vertices", (-1, 3))
         self._triangles = integers(triangles, "triangles", (-1, 3))
         self._content: _core.Content | None = None
         self.notices = []
-        if normals is None and not texture_coordinates and not colors and skin is None and not morphs:
+        if normals is None and not texture_coordinates and not colors and skin is None and not morphs and not values:
             return
         content = _core.Content(self._vertices, self._triangles)
         if normals is not None:
@@ -83,7 +87,14 @@ class Mesh:
             content.set_skin(integers(skin[0], "joints", (-1, -1)), floats(skin[1], "weights", (-1, -1)))
         for name, displacements in (morphs or {}).items():
             content.add_morph(name, floats(displacements, f"morph {name}", (-1, 3)))
+        for name, column in (values or {}).items():
+            array = real_numbers(column, f"values {name}")
+            content.add_values(name, floats(array.reshape(len(array), -1) if array.ndim else array, name, (-1, -1)))
         self._content = content
+        self._vertices, self._triangles = content.vertices, content.triangles  # it has copies: one truth
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._content or (self._vertices, self._triangles), self.notices)
 
     @classmethod
     def from_polygons(cls, vertices: Any, sizes: Any, corners: Any) -> Mesh:
@@ -130,12 +141,12 @@ class Mesh:
 
     @property
     def vertices(self) -> FloatArray:
-        """Positions, n_vertices x 3."""
+        """Positions, n_vertices x 3: the array that was given, or, of a file or with attributes, a read-only one."""
         return self._vertices
 
     @property
     def triangles(self) -> IntArray:
-        """Vertex numbers from 0, n_triangles x 3."""
+        """Vertex numbers from 0, n_triangles x 3; as `vertices`."""
         return self._triangles
 
     @property
@@ -150,10 +161,12 @@ class Mesh:
 
     @property
     def n_vertices(self) -> int:
+        """How many vertices there are."""
         return len(self._vertices)
 
     @property
     def n_triangles(self) -> int:
+        """How many triangles there are."""
         return len(self._triangles)
 
     @property
@@ -181,6 +194,21 @@ class Mesh:
         """The displacements (n_vertices x 3) of each morph target, by name."""
         return dict(self._content.morphs) if self._content else {}
 
+    @property
+    def values(self) -> dict[str, FloatArray]:
+        """What was measured at each vertex, or its label, by name: n_vertices, or n_vertices x k."""
+        held = self._content.values if self._content else {}
+        return {name: column[:, 0] if column.shape[1] == 1 else column for name, column in held.items()}
+
+    @property
+    def left_out(self) -> IntArray:
+        """Vertices whose coordinates in the file are no numbers: no triangle names them, and `match` gives them -1."""
+        return self._content.left_out if self._content else np.empty(0, np.int32)
+
+    def save(self, file: str | os.PathLike[str]) -> None:
+        """Write the mesh as `write` does: the extension decides the format."""
+        write(self, file)
+
     def __iter__(self) -> Iterator[Any]:
         return iter((self._vertices, self._triangles))
 
@@ -194,8 +222,60 @@ class Mesh:
         return f"Mesh({', '.join([f'{self.n_vertices} vertices', f'{self.n_triangles} triangles', *kinds])})"
 
 
-MeshLike = str | os.PathLike[str] | Mesh | tuple[Any, Any] | Any
-"""A path, a `Mesh`, a pair (vertices, triangles), or a mesh of trimesh, Open3D, pyvista or meshio."""
+class _WithFaces(Protocol):  # trimesh
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def faces(self) -> Any: ...
+
+
+class _WithTriangles(Protocol):  # Open3D
+    @property
+    def vertices(self) -> Any: ...
+    @property
+    def triangles(self) -> Any: ...
+
+
+class _WithLists(Protocol):  # pyFM
+    @property
+    def vertlist(self) -> Any: ...
+    @property
+    def facelist(self) -> Any: ...
+
+
+class _WithPoints(Protocol):  # pyvista, meshio
+    @property
+    def points(self) -> Any: ...
+
+
+class _WithMesh(Protocol):  # SpectralShape, ReorderResult, TransferResult
+    @property
+    def mesh(self) -> Mesh | None: ...
+
+
+MeshLike = (
+    str
+    | os.PathLike[str]
+    | Mesh
+    | tuple[Any, Any]
+    | list[Any]
+    | _WithFaces
+    | _WithTriangles
+    | _WithLists
+    | _WithPoints
+    | _WithMesh
+)
+"""A path, a `Mesh`, a pair (vertices, triangles), a mesh of trimesh, Open3D, pyvista or meshio, or what holds a `mesh`:
+a `SpectralShape`, a result of `reorder` or `transfer`."""
+
+
+def _restored(content: Any, notices: list[str]) -> Mesh:
+    """What was pickled."""
+    if isinstance(content, _core.Content):
+        return Mesh._of(content, notices)
+    mesh = Mesh(*content)
+    mesh.notices = notices
+    return mesh
 
 
 def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple[FloatArray, IntArray]:
@@ -206,45 +286,20 @@ def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple
     return values, integers(corners, f"corners of the {what}", (-1, 3))
 
 
-def _of_meshio(mesh: Any) -> Mesh:
-    surfaces = [cells for cells in mesh.cells if cells.type in ("triangle", "quad", "polygon")]
-    other = {cells.type for cells in mesh.cells} - {"triangle", "quad", "polygon", "vertex", "line"}
-    if other or not surfaces:
-        raise InvalidInput(
-            f"only surfaces can be matched, this mesh has cells of {', '.join(sorted(other)) or 'no area'}"
-        )
-    points = np.asarray(mesh.points)
-    if points.ndim == 2 and points.shape[1] == 2:
-        points = np.column_stack([points, np.zeros(len(points))])
-    faces = [np.asarray(cells.data) for cells in surfaces]
-    if all(block.shape[1] == 3 for block in faces):
-        return Mesh(points, np.concatenate(faces))
-    sizes = np.concatenate([np.full(len(block), block.shape[1]) for block in faces])
-    return Mesh.from_polygons(points, sizes, np.concatenate([block.ravel() for block in faces]))
-
-
-def _of_pyvista(mesh: Any) -> Mesh:
-    faces = np.asarray(mesh.faces)
-    if mesh.is_all_triangles:
-        return Mesh(mesh.points, faces.reshape(-1, 4)[:, 1:])
-    sizes, at = [], 0  # each face's number of corners stands before them
-    is_corner = np.ones(len(faces), bool)
-    while at < len(faces):
-        is_corner[at] = False
-        sizes.append(int(faces[at]))
-        at += sizes[-1] + 1
-    return Mesh.from_polygons(mesh.points, sizes, faces[is_corner])
-
-
 def _mesh_of(mesh: MeshLike) -> Mesh:
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
         return read(mesh)
-    if hasattr(mesh, "cells_dict") and hasattr(mesh, "points"):
-        return _of_meshio(mesh)
-    if hasattr(mesh, "is_all_triangles") and hasattr(mesh, "points"):
-        return _of_pyvista(mesh)
+    if (faces := faces_of_other(mesh)) is not None:
+        points, sizes, corners = faces
+        are_triangles = (np.asarray(sizes) == 3).all()
+        return Mesh(points, corners.reshape(-1, 3)) if are_triangles else Mesh.from_polygons(points, sizes, corners)
+    held = getattr(mesh, "mesh", mesh)
+    if isinstance(held, Mesh):
+        return held
+    if held is None and mesh is not None:
+        raise InvalidInput(f"this {type(mesh).__name__} comes from a file, which does not hold its mesh: give the mesh")
     return Mesh(*_pair_of(mesh))
 
 
@@ -267,7 +322,7 @@ def _pair_of(mesh: Any) -> tuple[Any, Any]:
 
 
 def core_mesh(mesh: MeshLike) -> _core.Mesh:
-    """The mesh as the library sees it: the arrays themselves, checked, and its polygons."""
+    """The mesh as the library sees it: a copy of its arrays, checked, or what a file held, with its polygons."""
     found = _mesh_of(mesh)
     return _core.Mesh(found._content) if found._content else _core.Mesh(found.vertices, found.triangles)
 
@@ -278,10 +333,11 @@ def content_of(mesh: MeshLike) -> _core.Content:
     return found._content or _core.Content(found.vertices, found.triangles)
 
 
-def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
-    """Read OFF, OBJ, PLY, STL or glTF (.glb, .gltf) with the polygons and attributes that the format holds.
+def read(file: str | os.PathLike[str], *, allow_external: bool = False, strict: bool = False) -> Mesh:
+    """Read a mesh with the polygons and attributes that its format holds.
 
-    Vertices are those of the file, in its order (STL and glTF, which split them: merged again).
+    OFF, OBJ, PLY, STL, glTF (.glb, .gltf), VTK (.vtk, .vtp) and GIfTI (.gii) are read, and the surfaces of solids
+    (.msh, .mesh, .vtk, .ele). Vertices are those of the file, in its order; where STL and glTF split them, merged.
 
     Parameters
     ----------
@@ -289,18 +345,21 @@ def read(file: str | os.PathLike[str], *, allow_external: bool = False) -> Mesh:
         Its extension decides the format.
     allow_external : bool
         Follow what a glTF file names outside its own folder.
+    strict : bool
+        Refuse vertices whose coordinates are no numbers. Else they are left out with a notice (`Mesh.left_out`).
 
     Raises
     ------
     IoError
         The file cannot be read; names the file, the line and the reason.
     """
-    content, notices = _core.read(os.fspath(file), allow_external)
+    content, notices = _core.read(os.fspath(file), allow_external, strict)
     return Mesh._of(content, notices)
 
 
 def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:
-    """Write a mesh with the attributes that the format of the extension holds: OFF, OBJ, PLY, STL, glTF.
+    """Write a mesh with the attributes that the format of the extension holds: OFF, OBJ, PLY, STL, glTF, VTK
+    (.vtk, .vtp).
 
     The file appears whole or not at all.
 

@@ -5,6 +5,10 @@
 from __future__ import annotations
 
 import os
+import pathlib
+import sys
+import tempfile
+import webbrowser
 from collections.abc import Mapping
 from typing import Any, Literal
 
@@ -15,7 +19,8 @@ from . import _core
 from ._arrays import FloatArray, floats
 from ._calls import ProgressLike, reporting
 from ._core import InvalidInput
-from ._maps import MapLike, truth_pairs, vertex_map_of
+from ._evaluation import truth_pairs
+from ._maps import MapLike, vertex_map_of
 from ._meshes import MeshLike, core_mesh
 
 Show = Literal["colors", "checker", "lines"]
@@ -34,6 +39,10 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
         """Write a PNG file."""
         with open(file, "wb") as opened:
             opened.write(self.png())
+
+    def show(self) -> None:
+        """Open the picture: in a notebook it appears there; else in the program that the system has for PNG files."""
+        _open(self.png(), ".png", self)
 
     def _repr_png_(self) -> bytes | None:
         return self.png() if self.ndim == 3 and self.shape[2] == 3 and self.dtype == np.uint8 else None
@@ -107,8 +116,9 @@ def render(
         if target is not None:
             if target_from_source is None:
                 raise InvalidInput("two meshes need the map between them")
-            image = vertex_map_of(target_from_source)
-            pixels = _core.render_map(mesh, core_mesh(target), image, show, lines, seed, options, report)
+            goal = core_mesh(target)
+            image = vertex_map_of(target_from_source, goal)
+            pixels = _core.render_map(mesh, goal, image, show, lines, seed, options, report)
         elif colors is not None:
             pixels = _core.render_colors(mesh, floats(colors, "colors", (mesh.n_vertices, 3)), options, report)
         elif values is not None:
@@ -118,6 +128,21 @@ def render(
         else:
             pixels = _core.render_mesh(mesh, options, report)
     return pixels.view(Picture)
+
+
+def _open(content: bytes, extension: str, shown: Any) -> None:
+    if "IPython" in sys.modules:
+        from IPython import get_ipython  # type: ignore[import-not-found,unused-ignore]
+        from IPython.display import display  # type: ignore[import-not-found,unused-ignore]
+
+        shell: Any = get_ipython()  # type: ignore[no-untyped-call,unused-ignore]
+        if shell is not None and hasattr(shell, "kernel"):
+            display(shown)  # type: ignore[no-untyped-call,unused-ignore]
+            return
+    file = tempfile.NamedTemporaryFile(prefix="counterpart-", suffix=extension, delete=False)  # noqa: SIM115
+    with file:
+        file.write(content)
+    webbrowser.open(pathlib.Path(file.name).as_uri())
 
 
 def _largest(values: FloatArray) -> float:
@@ -138,6 +163,10 @@ class View:
         """Write the page as a file."""
         with open(file, "w", encoding="utf-8") as opened:
             opened.write(self.html)
+
+    def show(self) -> None:
+        """Open the page: in a notebook it appears there; else in a browser."""
+        _open(self.html.encode(), ".html", self)
 
     def _repr_html_(self) -> str:
         import html  # here, as few need it
@@ -176,11 +205,11 @@ def view(
     """
     named = dict(maps) if isinstance(maps, Mapping) else {"map": maps}
     ends = core_mesh(source), core_mesh(target)
-    images = [vertex_map_of(image, name) for name, image in named.items()]
+    images = [vertex_map_of(image, ends[1], name) for name, image in named.items()]
     true = np.empty(0, np.int32)
     errors: list[FloatArray] = []
     if truth is not None:
-        pairs = truth_pairs(truth, ends[0])
+        pairs = truth_pairs(truth, *ends)
         for image in images:
             found = _core.evaluate(*ends, image, pairs, True, 0, np.empty(0), 0, None)
             errors.append(_mean_errors(found, pairs, ends[0].n_vertices))

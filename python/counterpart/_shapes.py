@@ -4,7 +4,7 @@
 
 from . import _core
 from ._arrays import IntArray
-from ._meshes import Mesh, MeshLike, arrays_of, core_mesh
+from ._meshes import Mesh, MeshLike, core_mesh
 
 
 def make_icosphere(subdivisions: int = 3) -> Mesh:
@@ -53,12 +53,11 @@ def deform(mesh: MeshLike, *, bend: float = 0, twist: float = 0, warp: float = 0
     seed : int
         Of that displacement.
     """
-    vertices, triangles = arrays_of(mesh)
-    return Mesh(_core.deform(_core.Mesh(vertices, triangles), bend, twist, warp, seed), triangles)
+    return Mesh._of(_core.deform(core_mesh(mesh), bend, twist, warp, seed))
 
 
 def shuffle(mesh: MeshLike, seed: int = 1) -> tuple[Mesh, IntArray]:
-    """The same surface with vertices, triangles and first corners in random order, and the true map.
+    """The same surface with vertices, faces and first corners in random order, and the true map.
 
     Returns
     -------
@@ -66,11 +65,10 @@ def shuffle(mesh: MeshLike, seed: int = 1) -> tuple[Mesh, IntArray]:
     shuffled_from_original : ndarray of int32, (n_vertices,)
         The new number of each old vertex.
     """
-    vertices, triangles, truth = _core.shuffle(core_mesh(mesh), seed)
-    return Mesh(vertices, triangles), truth
+    content, truth = _core.shuffle(core_mesh(mesh), seed)
+    return Mesh._of(content), truth
 
 
 def move_at_random(mesh: MeshLike, seed: int = 1) -> Mesh:
-    """The mesh under a random rotation, scale (0.5 .. 2) and translation."""
-    vertices, triangles = arrays_of(mesh)
-    return Mesh(_core.move_at_random(_core.Mesh(vertices, triangles), seed), triangles)
+    """The mesh, with its polygons, under a random rotation, scale (0.5 .. 2) and translation."""
+    return Mesh._of(_core.move_at_random(core_mesh(mesh), seed))

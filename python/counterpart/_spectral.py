@@ -11,28 +11,45 @@ import numpy as np
 
 from . import _core
 from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
-from ._calls import ProgressLike, Result, reporting
+from ._calls import MapResult, ProgressLike, Result, reporting
 from ._core import InvalidInput
-from ._maps import MapLike, vertex_map_of
-from ._meshes import MeshLike, core_mesh
+from ._maps import MapLike, SurfaceMap, opened, vertex_map_of
+from ._meshes import MeshLike, arrays_of, core_mesh
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Spectrum(Result):
-    """The lowest eigenfunctions of the Laplace-Beltrami operator: the Fourier basis of a surface."""
+    """The lowest eigenfunctions of the Laplace-Beltrami operator: the Fourier basis of a surface.
+
+    Attributes
+    ----------
+    eigenvalues : ndarray, (k,)
+        Increasing, in 1 / squared mesh units; the first is 0.
+    eigenfunctions : ndarray, (n_vertices, k)
+        Orthonormal under `mass`; the largest entry of each is positive.
+    mass : ndarray, (n_vertices,)
+        The area of each vertex.
+    triangles : ndarray of int | None, (n_triangles, 3)
+        Of the mesh, if it is known; maps to points of them can then be taken.
+    """
 
     eigenvalues: FloatArray
-    """(k,), increasing, in 1 / squared mesh units; the first is 0."""
     eigenfunctions: FloatArray
-    """(n_vertices, k), orthonormal under `mass`; the largest entry of each is positive."""
     mass: FloatArray
-    """(n_vertices,), the area of each vertex."""
+    triangles: IntArray | None = None
 
     def _core(self) -> _core.EigenBasis:
         eigenvalues = floats(self.eigenvalues, "eigenvalues", (-1,))
         mass = floats(self.mass, "mass", (-1,))
         functions = floats(self.eigenfunctions, "eigenfunctions", (len(mass), len(eigenvalues)), "F")
         return _core.EigenBasis(eigenvalues, functions, mass)
+
+    def _vertices_of(self, map: MapLike) -> IntArray:
+        """The map to vertices of this mesh."""
+        mesh = None
+        if self.triangles is not None and isinstance(map := opened(map), SurfaceMap):
+            mesh = _core.Mesh(np.zeros((len(self.mass), 3)), integers(self.triangles, "triangles", (-1, 3)))
+        return vertex_map_of(map, mesh)
 
 
 def spectrum(mesh: MeshLike, k: int = 100, *, progress: ProgressLike = None) -> Spectrum:
@@ -52,7 +69,8 @@ def spectrum(mesh: MeshLike, k: int = 100, *, progress: ProgressLike = None) -> 
     array([0., 2., 2., 2.])
     """
     with reporting(progress, "eigenfunctions") as report:
-        return Spectrum(*_core.spectrum(core_mesh(mesh), k, report))
+        vertices, triangles = arrays_of(mesh)
+        return Spectrum(*_core.spectrum(core_mesh((vertices, triangles)), k, report), triangles.copy())
 
 
 def functional_map(target_from_source: MapLike, source: Spectrum, target: Spectrum, k: int | None = None) -> FloatArray:
@@ -81,7 +99,7 @@ def functional_map(target_from_source: MapLike, source: Spectrum, target: Spectr
     most = min(len(source.eigenvalues), len(target.eigenvalues))
     if k is not None and not 1 <= k <= most:
         raise InvalidInput(f"k must be 1 .. {most}, the eigenfunctions that both have, not {k}")
-    image = vertex_map_of(target_from_source)
+    image = target._vertices_of(target_from_source)
     return _core.functional_map(image, source._core(), target._core(), most if k is None else k)
 
 
@@ -109,13 +127,22 @@ def vertex_map(source_from_target: Any, source: Spectrum, target: Spectrum) -> I
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ZoomOutResult(Result):
-    """What `zoom_out` found."""
+class ZoomOutResult(MapResult):
+    """What `zoom_out` found.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        Every vertex matched.
+    source_from_target : ndarray of int, (n_target,)
+        Every vertex matched.
+    source_functions_from_target : ndarray
+        The functional map of the last step.
+    """
 
     target_from_source: IntArray
     source_from_target: IntArray
     source_functions_from_target: FloatArray
-    """The functional map of the last step."""
 
 
 def zoom_out(
@@ -143,7 +170,7 @@ def zoom_out(
     n_threads : int
     progress : ProgressLike
     """
-    image = vertex_map_of(target_from_source)
+    image = target._vertices_of(target_from_source)
     with reporting(progress, "refining") as report:
         return ZoomOutResult(
             *_core.zoom_out(image, source._core(), target._core(), first, last, step, bijective, n_threads, report)

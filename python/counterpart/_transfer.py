@@ -5,37 +5,48 @@
 from __future__ import annotations
 
 import dataclasses
+import warnings
 from collections.abc import Collection
 from typing import Any, Literal
 
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats
-from ._calls import ProgressLike, Result, reporting
+from ._arrays import FloatArray, IntArray
+from ._calls import MapResult, ProgressLike, Report, Result, part_of, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, surface_map_of
-from ._match_options import exact_options, pairs
+from ._match_options import exact_options, known_pairs
+from ._matching import match
 from ._meshes import Mesh, MeshLike, arrays_of, content_of, core_mesh
 
 Kind = Literal["colors", "texture_coordinates", "normals", "skin", "morphs", "materials"]
 KINDS: tuple[Kind, ...] = ("colors", "texture_coordinates", "normals", "skin", "morphs", "materials")
-Model = Literal["rigid", "similarity", "affine"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class TransferResult(Result):
-    """What `transfer` made."""
+    """What `transfer` made.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The target's mesh with the source's attributes; `write` it as .glb or .gltf.
+    n_matched : int
+        Target vertices with a point of the source.
+    attributes : list[dict]
+        How each attribute was transferred: its name and counts.
+    has_materials : bool
+        The source's materials came along.
+    warnings : list[str]
+        Sentences: what may be wrong, and what to do.
+    """
 
     mesh: Mesh
-    """The target's mesh with the source's attributes; `write` it as .glb or .gltf."""
     n_matched: int
-    """Target vertices with a point of the source."""
     attributes: list[dict[str, Any]]
-    """How each attribute was transferred: its name and counts."""
     has_materials: bool
     warnings: list[str]
-    """Sentences: what may be wrong, and what to do."""
 
 
 def transfer(
@@ -95,11 +106,20 @@ def transfer(
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ReorderResult(Result):
-    """What `reorder` made."""
+class ReorderResult(MapResult):
+    """What `reorder` made.
+
+    Attributes
+    ----------
+    mesh : Mesh
+        The target's shape in the source's order.
+    target_from_source : ndarray of int, (n_source,)
+        The map by which it was put in order.
+    notices : list[str]
+        What a person should know of the match, as sentences.
+    """
 
     mesh: Mesh
-    """The target's shape in the source's order."""
     target_from_source: IntArray
     notices: list[str]
 
@@ -137,18 +157,47 @@ def reorder(
     return ReorderResult(Mesh._of(content), image, notices)
 
 
+def matched(
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike | None,
+    ends: tuple[_core.Mesh, _core.Mesh],
+    landmarks: IntArray | None,
+    n_threads: int,
+    report: Report,
+) -> tuple[IntArray, FloatArray]:
+    """The map, as triangles and weights; without one, that of `match`, unless both have the same triangles."""
+    if target_from_source is None:
+        begin, end = arrays_of(source), arrays_of(target)
+        same = len(begin[0]) == len(end[0]) and np.array_equal(begin[1], end[1])
+        if not same or (landmarks is not None and len(landmarks) > 0):
+            found = match(source, target, landmarks=landmarks, n_threads=n_threads, progress=report)
+            for sentence in found.warnings:
+                warnings.warn(sentence, UserWarning, stacklevel=3)
+            target_from_source = found
+    return surface_map_of(target_from_source, *ends, n_threads)
+
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class MorphResult(Result):
-    """What `morph` made."""
+    """What `morph` made.
+
+    Attributes
+    ----------
+    frames : ndarray
+        (count, n_vertices, 3): the shapes in between, without the key frames.
+    last : ndarray, (n_vertices, 3)
+        The last key frame in the connectivity of the first.
+    triangles : ndarray of int
+        Of the first mesh; those of all frames.
+    n_followers : int
+        Unmatched vertices, which follow their neighbors.
+    """
 
     frames: FloatArray
-    """(count, n_vertices, 3): the shapes in between, without the key frames."""
     last: FloatArray
-    """(n_vertices, 3): the last key frame in the connectivity of the first."""
     triangles: IntArray
-    """Of the first mesh; those of all frames."""
     n_followers: int
-    """Unmatched vertices, which follow their neighbors."""
 
 
 def morph(
@@ -167,7 +216,7 @@ def morph(
     ----------
     first, last : MeshLike
     last_from_first : MapLike, optional
-        Without one, vertex i is vertex i.
+        Without one, vertex i is vertex i if the meshes have the same triangles; else they are matched by `match`.
     count : int
         Frames between the key frames, evenly spaced in time.
     iterations : int
@@ -181,129 +230,49 @@ def morph(
     """
     vertices, triangles = arrays_of(first)
     ends = _core.Mesh(vertices, triangles), core_mesh(last)
-    pose, followers = _core.last_pose(*ends, *surface_map_of(last_from_first, *ends, n_threads))
     with reporting(progress, "morphing") as report:
-        frames = _core.morph_frames(ends[0], pose, count, iterations, n_threads, report)
+        pair = matched(first, last, last_from_first, ends, None, n_threads, part_of(report, 0, 0.5))
+        pose, followers = _core.last_pose(*ends, *pair)
+        frames = _core.morph_frames(ends[0], pose, count, iterations, n_threads, part_of(report, 0.5, 1))
     stacked = np.stack(frames) if frames else np.empty((0, *pose.shape))
     return MorphResult(stacked, pose, triangles, followers)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class AlignResult(Result):
-    """What `align` found."""
-
-    matrix: FloatArray
-    """(4, 4): multiplies columns [x, y, z, 1] of the source."""
-    vertices: FloatArray
-    """(n_source, 3): the source's vertices, moved."""
-    rms_distance: float
-    n_iterations: int
-    converged: bool
-
-
-def align(
-    source: MeshLike,
-    target: MeshLike,
-    target_from_source: MapLike | None = None,
-    *,
-    model: Model = "rigid",
-    icp: bool = False,
-    max_iterations: int = 100,
-    trim: float = 0,
-    known_weight: float = 1,
-    n_threads: int = 0,
-    progress: ProgressLike = None,
-) -> AlignResult:
-    """Move the source onto the target by a map, by ICP, or both.
-
-    Parameters
-    ----------
-    source, target : MeshLike
-    target_from_source : MapLike, optional
-        The pairs to align. Needed without `icp`.
-    model : {"rigid", "similarity", "affine"}
-        Never a reflection.
-    icp : bool
-        Iterative closest points, from the fit to the map, or the centroids.
-    max_iterations : int
-        Of ICP, 1 .. 10000.
-    trim : float
-        Fraction of the pairs, the farthest, that ICP ignores; 0 .. 0.9.
-    known_weight : float
-        Total weight of the map's pairs in ICP.
-    n_threads : int
-    progress : ProgressLike
-
-    Notes
-    -----
-    Kabsch 1976; Umeyama 1991; Besl and McKay 1992; Chetverikov et al. 2002.
-    """
-    if target_from_source is None and not icp:
-        raise InvalidInput("give a map, icp=True, or both")
-    vertices, triangles = arrays_of(source)
-    goals, goal_triangles = arrays_of(target)
-    core, goal = _core.Mesh(vertices, triangles), _core.Mesh(goals, goal_triangles)
-    triangle, weights = np.empty(0, np.int32), np.empty((0, 3))
-    start = np.eye(4)
-    start[:3, 3] = _mean(goals) - _mean(vertices)
-    if target_from_source is not None:
-        triangle, weights = surface_map_of(target_from_source, core, goal, n_threads)
-        matched = np.flatnonzero(triangle >= 0)
-        if not icp or len(matched) >= 4:
-            images = _core.pull(goal, triangle, weights, goals)
-            fit = _core.align_pairs(
-                np.ascontiguousarray(vertices[matched]), np.ascontiguousarray(images[matched]), model, vertices
-            )
-            if not icp:
-                return AlignResult(**fit)
-            start = fit["matrix"]
-    with reporting(progress, "aligning") as report:
-        return AlignResult(
-            **_core.align_icp(
-                core,
-                goal,
-                floats(start, "start", (4, 4)),
-                triangle,
-                weights,
-                model,
-                max_iterations,
-                trim,
-                known_weight,
-                n_threads,
-                report,
-            )
-        )
-
-
-def _mean(points: FloatArray) -> FloatArray:
-    mean: FloatArray = points.mean(axis=0)
-    return mean
-
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class FitResult(Result):
-    """What `fit` made."""
+    """What `fit` made.
+
+    Attributes
+    ----------
+    vertices : ndarray, (n_template, 3)
+        Of the template, on the scan.
+    distance : ndarray, (n_template,)
+        From there to the scan's surface, in mesh units.
+    scan_distance : ndarray, (n_scan,)
+        From there to the fitted surface; large where the scan lies bare.
+    folded_edges : float
+        Share of the edges whose two triangles face away from each other.
+    own_folded_edges : float
+        The same of the template itself.
+    least_area_ratio : float
+        The least area of a triangle relative to what it has in the template.
+    n_free : int
+        Vertices that the scan does not reach, which follow their neighbors.
+    """
 
     vertices: FloatArray
-    """(n_template, 3): of the template, on the scan."""
     distance: FloatArray
-    """(n_template,): from there to the scan's surface, in mesh units."""
     scan_distance: FloatArray
-    """(n_scan,): from there to the fitted surface; large where the scan lies bare."""
     folded_edges: float
-    """Share of the edges whose two triangles face away from each other."""
     own_folded_edges: float
-    """The same of the template itself."""
     least_area_ratio: float
-    """The least area of a triangle relative to what it has in the template."""
     n_free: int
-    """Vertices that the scan does not reach, which follow their neighbors."""
 
 
 def fit(
     template: MeshLike,
     scan: MeshLike,
-    scan_from_template: MapLike,
+    scan_from_template: MapLike | None = None,
     *,
     landmarks: Any = None,
     stiffness: float = 1,
@@ -316,8 +285,9 @@ def fit(
     Parameters
     ----------
     template, scan : MeshLike
-    scan_from_template : MapLike
-        As `match` finds it; what it leaves unmatched follows what is around.
+    scan_from_template : MapLike, optional
+        What it leaves unmatched follows what is around. Without one, vertex i is vertex i if the meshes have the same
+        triangles; else they are matched by `match`, with the landmarks.
     landmarks : array_like of int, (n, 2), optional
         Pairs (template vertex, scan vertex) that must meet.
     stiffness : float
@@ -340,9 +310,9 @@ def fit(
     True
     """
     ends = core_mesh(template), core_mesh(scan)
-    triangle, weights = surface_map_of(scan_from_template, *ends, n_threads)
-    known = pairs(landmarks, "landmarks")
-    if known is None:
-        known = np.empty((0, 2), np.int32)
+    known = known_pairs(landmarks, "landmarks")
     with reporting(progress, "fitting") as report:
-        return FitResult(**_core.fit(*ends, triangle, weights, known, stiffness, reach, n_threads, report))
+        pair = matched(template, scan, scan_from_template, ends, known, n_threads, part_of(report, 0, 0.5))
+        if known is None:
+            known = np.empty((0, 2), np.int32)
+        return FitResult(**_core.fit(*ends, *pair, known, stiffness, reach, n_threads, part_of(report, 0.5, 1)))

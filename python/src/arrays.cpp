@@ -4,10 +4,8 @@
 
 namespace counterpart::python {
 
-Mesh::Mesh(PointArray vertices, TriangleArray triangles)
-    : vertices_(std::move(vertices)),
-      triangles_(std::move(triangles)),
-      view_(map_of(vertices_), map_of(triangles_)) {
+Mesh::Mesh(const PointArray& vertices, const TriangleArray& triangles)
+    : copy_{map_of(vertices), map_of(triangles)}, view_(copy_) {
     const nb::gil_scoped_release release;
     require_valid(view());
 }

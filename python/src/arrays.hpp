@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// NumPy arrays in and out. What comes in has been given its type and layout by the Python side and is not
-// copied; what goes out takes over the memory of the result.
+// NumPy arrays in and out. What comes in has been given its type and layout by the Python side; it is copied
+// before it is checked, since other threads may change an array while the library runs without the
+// interpreter's lock. What goes out takes over the memory of the result.
 #pragma once
 
 #include <counterpart/base/types.hpp>
@@ -64,13 +65,15 @@ inline Eigen::Map<const Eigen::MatrixXd> map_of(const ColumnArray& array) {
     return {array.data(), static_cast<Eigen::Index>(array.shape(0)),
             static_cast<Eigen::Index>(array.shape(1))};
 }
-/// A mesh that is kept elsewhere.
+/// A valid mesh, for a call.
 class Mesh {
   public:
-    /// In the caller's arrays, which it keeps alive. Throws InvalidInput as require_valid does.
-    Mesh(PointArray vertices, TriangleArray triangles);
-    /// A valid one that outlives it, with its polygons.
+    /// A copy of the arrays. Throws InvalidInput as require_valid does.
+    Mesh(const PointArray& vertices, const TriangleArray& triangles);
+    /// One that is valid, outlives it and does not change, with its polygons.
     explicit Mesh(const TriangleMesh& mesh) : view_(mesh) {}
+    Mesh(const Mesh&) = delete;
+    Mesh& operator=(const Mesh&) = delete;
 
     MeshView view() const { return view_; }
     operator MeshView() const { return view_; }
@@ -78,8 +81,7 @@ class Mesh {
     Index n_triangles() const { return view_.n_triangles(); }
 
   private:
-    PointArray vertices_;
-    TriangleArray triangles_;
+    TriangleMesh copy_;
     MeshView view_;
 };
 

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <nanobind/nanobind.h>
@@ -48,6 +49,12 @@ class Monitor {
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
     std::optional<nb::python_error> pending_;
 };
+
+/// A UserWarning, unless there is nothing to say. Needs the interpreter's lock.
+inline void warn(const std::string& sentence) {
+    if (!sentence.empty() && PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0)
+        nb::raise_python_error();
+}
 
 /// Runs `work(progress)` without the interpreter's lock. `callback` is None or takes the fraction done.
 template <class Work>

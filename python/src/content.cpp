@@ -6,9 +6,13 @@
 #include "bindings.hpp"
 #include "call.hpp"
 
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/gltf.hpp>
+#include <counterpart/io/landmark_points.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
+#include <iterator>
 #include <map>
 
 #include <nanobind/stl/filesystem.h>
@@ -22,17 +26,19 @@ namespace {
 
 using namespace nb::literals;
 
-// An array of what `content` holds, which it keeps alive.
+template <class T>
+using ReadOnly = NewMatrix<const T>;
+
+// An array of what `content` holds, which it keeps alive: read-only, since the library trusts what it holds.
 template <class Derived>
-NewMatrix<typename Derived::Scalar> view_of(AttributedMesh& content,
-                                            Eigen::PlainObjectBase<Derived>& matrix) {
+ReadOnly<typename Derived::Scalar> view_of(AttributedMesh& content, Eigen::PlainObjectBase<Derived>& matrix) {
     static_assert(Derived::IsRowMajor);
     return {matrix.data(),
             {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())},
             nb::find(content)};
 }
 
-using AttributeArrays = std::tuple<NewMatrix<double>, NewMatrix<Index>>;
+using AttributeArrays = std::tuple<ReadOnly<double>, ReadOnly<Index>>;
 
 std::optional<AttributeArrays> view_of(AttributedMesh& content, CornerAttribute& attribute) {
     if (attribute.corners.rows() == 0) return std::nullopt;
@@ -70,9 +76,116 @@ SkinBinding skin_of(const JointArray& joints, const MatrixArray& weights) {
             map_of(weights)};
 }
 
+nb::object document_state(const AttributedMesh& content) {
+    if (!content.document) return nb::none();
+    const std::string bytes = content.document->to_bytes();
+    return nb::bytes(bytes.data(), bytes.size());
+}
+
+// All that a mesh holds, in the order of `restore`.
+nb::tuple state_of(AttributedMesh& self) {
+    nb::list morphs;
+    for (MorphTarget& morph : self.morphs)
+        morphs.append(nb::make_tuple(morph.name, view_of(self, morph.displacements)));
+    nb::list values;
+    for (VertexValues& column : self.values)
+        values.append(nb::make_tuple(column.name, view_of(self, column.values)));
+    return nb::make_tuple(view_of(self, self.mesh.vertices), view_of(self, self.mesh.triangles),
+                          array(self.mesh.polygons.first), view_of(self, self.mesh.polygons.corners),
+                          view_of(self, self.normals), view_of(self, self.texture_coordinates),
+                          view_of(self, self.colors), view_of(self, self.skin.joints),
+                          view_of(self, self.skin.weights), morphs, array(self.parts), self.part_names,
+                          document_state(self), values, array(self.mesh.left_out));
+}
+
+using AttributeState = std::tuple<MatrixArray, TriangleArray>;
+using State =
+    std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
+               std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
+               std::vector<std::tuple<std::string, PointArray>>, IndexArray, std::vector<std::string>,
+               std::optional<nb::bytes>, std::vector<std::tuple<std::string, MatrixArray>>, IndexArray>;
+
+AttributedMesh restore(const State& state) {
+    const auto& [vertices, triangles, first, corners, normals, texture_coordinates, colors, joints, weights,
+                 morphs, parts, part_names, document, values, left_out] = state;
+    AttributedMesh self;
+    self.mesh = {
+        map_of(vertices), map_of(triangles), {vector_of(first), map_of(corners)}, vector_of(left_out)};
+    require_valid(self.mesh);
+    const auto attribute = [](const AttributeState& pair) {
+        return attribute_of(std::get<0>(pair), std::get<1>(pair));
+    };
+    if (normals) self.normals = attribute(*normals);
+    for (const AttributeState& pair : texture_coordinates)
+        self.texture_coordinates.push_back(attribute(pair));
+    for (const AttributeState& pair : colors) self.colors.push_back(attribute(pair));
+    self.skin = skin_of(joints, weights);
+    for (const auto& [name, displacements] : morphs) self.morphs.push_back({name, map_of(displacements)});
+    for (const auto& [name, column] : values) self.values.push_back({name, map_of(column)});
+    self.parts = vector_of(parts);
+    self.part_names = part_names;
+    if (document) self.document = document_from_bytes({document->c_str(), document->size()});
+    return self;
+}
+
+LandmarkPoints points_of(const std::vector<std::string>& names, const PointArray& points) {
+    LandmarkPoints result;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        result.landmarks.push_back({names[i], {points(i, 0), points(i, 1), points(i, 2)}});
+    return result;
+}
+
+std::optional<Anatomical> axes_from_name(const std::optional<std::string>& name) {
+    if (!name) return std::nullopt;
+    if (*name == "LPS") return Anatomical::lps;
+    if (*name == "RAS") return Anatomical::ras;
+    throw InvalidInput("axes must be LPS or RAS, not '" + *name + "'");
+}
+
+void bind_landmarks(nb::module_& module) {
+    module.def(
+        "read_landmark_points",
+        [](const std::filesystem::path& file, const std::optional<std::string>& axes) {
+            const LandmarkPoints found =
+                run([&] { return read_landmark_points(file, axes_from_name(axes)); });
+            std::vector<std::string> names;
+            Points points(std::ssize(found.landmarks), 3);
+            for (const Landmark& landmark : found.landmarks) {
+                points.row(std::ssize(names)) = landmark.point;
+                names.push_back(landmark.name);
+            }
+            return std::tuple(names, matrix_array(std::move(points)),
+                              found.axes ? std::optional(to_string(*found.axes)) : std::nullopt);
+        },
+        "file"_a, "axes"_a.none());
+    module.def(
+        "write_landmark_points",
+        [](const std::vector<std::string>& names, const PointArray& points,
+           const std::optional<std::string>& axes, const std::filesystem::path& file) {
+            LandmarkPoints written = points_of(names, points);
+            written.axes = axes_from_name(axes);
+            run([&] { write_landmark_points(written, file); });
+        },
+        "names"_a, "points"_a, "axes"_a.none(), "file"_a);
+    module.def(
+        "landmark_pairs",
+        [](const Mesh& source, const Mesh& target, const std::vector<std::string>& source_names,
+           const PointArray& source_points, const std::vector<std::string>& target_names,
+           const PointArray& target_points) {
+            const auto pairs = landmark_pairs(points_of(source_names, source_points), source,
+                                              points_of(target_names, target_points), target);
+            Eigen::Matrix<Index, Eigen::Dynamic, 2, Eigen::RowMajor> rows(std::ssize(pairs), 2);
+            for (std::size_t i = 0; i < pairs.size(); ++i)
+                rows.row(static_cast<Eigen::Index>(i)) << pairs[i].first, pairs[i].second;
+            return matrix_array(std::move(rows));
+        },
+        "source"_a, "target"_a, "source_names"_a, "source_points"_a, "target_names"_a, "target_points"_a);
+}
+
 }  // namespace
 
 void bind_content(nb::module_& module) {
+    bind_landmarks(module);
     nb::class_<AttributedMesh>(module, "Content")
         .def(
             "__init__",
@@ -87,12 +200,15 @@ void bind_content(nb::module_& module) {
             "of_polygons",
             [](const PointArray& vertices, const IndexArray& sizes, const IndexArray& corners) {
                 AttributedMesh content;
-                content.mesh = cut_into_triangles(map_of(vertices), {sizes.data(), sizes.size()},
-                                                  {corners.data(), corners.size()});
+                const Points copy = map_of(vertices);
+                content.mesh = cut_into_triangles(copy, vector_of(sizes), vector_of(corners));
                 require_valid(content.mesh);
                 return content;
             },
             "vertices"_a.noconvert(), "sizes"_a.noconvert(), "corners"_a.noconvert())
+        .def("__getstate__", &state_of)
+        .def("__setstate__",
+             [](AttributedMesh& self, const State& state) { new (&self) AttributedMesh(restore(state)); })
         .def_prop_ro(
             "polygons", [](const AttributedMesh& self) { return polygons_of(self.mesh); },
             nb::rv_policy::move)
@@ -104,17 +220,31 @@ void bind_content(nb::module_& module) {
         .def_prop_ro("colors", [](AttributedMesh& self) { return view_of(self, self.colors); })
         .def_prop_ro(
             "skin",
-            [](AttributedMesh& self) -> std::optional<std::tuple<NewMatrix<Index>, NewMatrix<double>>> {
+            [](AttributedMesh& self) -> std::optional<std::tuple<ReadOnly<Index>, ReadOnly<double>>> {
                 if (self.skin.joints.rows() == 0) return std::nullopt;
                 return std::tuple(view_of(self, self.skin.joints), view_of(self, self.skin.weights));
             })
         .def_prop_ro("morphs",
                      [](AttributedMesh& self) {
-                         std::map<std::string, NewMatrix<double>> morphs;
+                         std::map<std::string, ReadOnly<double>> morphs;
                          for (MorphTarget& morph : self.morphs)
                              morphs.insert_or_assign(morph.name, view_of(self, morph.displacements));
                          return morphs;
                      })
+        .def_prop_ro("values",
+                     [](AttributedMesh& self) {
+                         std::map<std::string, ReadOnly<double>> values;
+                         for (VertexValues& column : self.values)
+                             values.insert_or_assign(column.name, view_of(self, column.values));
+                         return values;
+                     })
+        .def_prop_ro(
+            "left_out", [](const AttributedMesh& self) { return array(self.mesh.left_out); },
+            nb::rv_policy::move)
+        .def("add_values",
+             [](AttributedMesh& self, const std::string& name, const MatrixArray& values) {
+                 self.values.push_back({name, map_of(values)});
+             })
         .def_prop_ro("parts", [](AttributedMesh& self) { return array(self.parts); })
         .def_prop_ro("part_names", [](AttributedMesh& self) { return self.part_names; })
         .def("set_normals",
@@ -137,12 +267,13 @@ void bind_content(nb::module_& module) {
 
     module.def(
         "read",
-        [](const std::filesystem::path& file, bool allow_external) {
-            AttributedMeshFile read =
-                run([&] { return read_attributed_mesh(file, {.allow_external = allow_external}); });
+        [](const std::filesystem::path& file, bool allow_external, bool strict) {
+            AttributedMeshFile read = run([&] {
+                return read_attributed_mesh(file, {.allow_external = allow_external, .strict = strict});
+            });
             return std::tuple(std::move(read.content), std::move(read.notices));
         },
-        "file"_a, "allow_external"_a);
+        "file"_a, "allow_external"_a, "strict"_a);
     module.def(
         "write",
         [](const AttributedMesh& content, const std::filesystem::path& file) {

@@ -160,9 +160,8 @@ void bind_maps(nb::module_& module) {
         "pull",
         [](const Mesh& target, const IndexArray& triangle, const PointArray& weights,
            const MatrixArray& values) {
-            return matrix_array(run([&] {
-                return transfer_values(surface_map_of(triangle, weights, target.n_triangles()), target,
-                                       map_of(values));
+            return matrix_array(run([&, copy = Matrix(map_of(values))] {
+                return transfer_values(surface_map_of(triangle, weights, target.n_triangles()), target, copy);
             }));
         },
         "target"_a, "triangle"_a, "weights"_a, "values"_a);

@@ -4,6 +4,7 @@
 // The options of matching: plain attributes, set by name.
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "call.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/shape_file.hpp>
@@ -50,7 +51,10 @@ void bind_converted(nb::class_<Options>& options, const char* name, Value Option
 // Prepared shapes from this folder.
 decltype(MatchOptions::prepared_shape) cached_in(const std::string& folder) {
     return [folder](MeshView mesh, const SpectralShapeOptions& options) {
-        return cached_spectral_shape(folder, mesh, options);
+        CachedShape found = cached_spectral_shape(folder, mesh, options);
+        const nb::gil_scoped_acquire lock;
+        warn(found.warning);
+        return std::move(found.shape);
     };
 }
 

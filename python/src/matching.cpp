@@ -9,6 +9,7 @@
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
+#include <counterpart/match/refine.hpp>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -112,19 +113,53 @@ nb::dict dictionary(MatchResult result) {
         dictionary(std::move(result.spectral)), "partial", dictionary(std::move(result.partial)));
 }
 
+using ShapeSource = decltype(MatchOptions::prepared_shape);
+
+// The shapes that are there, and what `otherwise` makes, or this here, of a mesh whose is not.
+ShapeSource prepared(const Mesh& source, const SpectralShape* source_shape, const SpectralShape* target_shape,
+                     const ShapeSource& otherwise) {
+    return
+        [&source, source_shape, target_shape, otherwise](MeshView mesh, const SpectralShapeOptions& options) {
+            const bool is_source = mesh.vertices.data() == source.view().vertices.data();
+            const SpectralShape* const shape = is_source ? source_shape : target_shape;
+            if (shape != nullptr) return *shape;
+            return otherwise ? otherwise(mesh, options) : SpectralShape(mesh, options);
+        };
+}
+
+void bind_refinement(nb::module_& module) {
+    module.def(
+        "refine_map",
+        [](const Mesh& source, const Mesh& target, const IndexArray& triangle, const PointArray& weights,
+           int n_threads, const nb::object& progress) {
+            RefineResult result = run(progress, [&](Progress report) {
+                return refine_map(surface_map_of(triangle, weights, target.n_triangles()), source, target,
+                                  {.n_threads = n_threads, .progress = std::move(report)});
+            });
+            return std::tuple(array(result.target_from_source), array(std::move(result.confidence)),
+                              result.n_kept, seconds_of(result.stages));
+        },
+        "source"_a, "target"_a, "triangle"_a, "weights"_a, "n_threads"_a, "progress"_a.none());
+}
+
 }  // namespace
 
 void bind_matching(nb::module_& module) {
     bind_match_options(module);
     module.def(
         "match",
-        [](const Mesh& source, const Mesh& target, MatchOptions options, const nb::object& progress) {
+        [](const Mesh& source, const Mesh& target, MatchOptions options, const SpectralShape* source_shape,
+           const SpectralShape* target_shape, const nb::object& progress) {
+            if (source_shape != nullptr || target_shape != nullptr)
+                options.prepared_shape = prepared(source, source_shape, target_shape, options.prepared_shape);
             return dictionary(run(progress, [&](Progress report) {
                 options.progress = std::move(report);
                 return match(source, target, options);
             }));
         },
-        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+        "source"_a, "target"_a, "options"_a, "source_shape"_a.none(), "target_shape"_a.none(),
+        "progress"_a.none());
+    bind_refinement(module);
     module.def(
         "match_exact",
         [](const Mesh& source, const Mesh& target, ExactOptions options, const nb::object& progress) {
@@ -168,14 +203,27 @@ void bind_matching(nb::module_& module) {
             "cached",
             [](const std::string& folder, const Mesh& mesh, SpectralShapeOptions options,
                const nb::object& progress) {
-                return run(progress, [&](Progress report) {
+                CachedShape found = run(progress, [&](Progress report) {
                     options.progress = std::move(report);
                     return cached_spectral_shape(folder, mesh, options);
                 });
+                warn(found.warning);
+                return std::move(found.shape);
             },
             "folder"_a, "mesh"_a, "options"_a, "progress"_a.none())
         .def_static(
             "read", [](const std::string& file) { return read_spectral_shape(file); }, "file"_a)
+        .def_static(
+            "from_bytes",
+            [](const nb::bytes& bytes) {
+                return SpectralShape::from_bytes({bytes.c_str(), bytes.size()});
+            },
+            "bytes"_a)
+        .def("to_bytes",
+             [](const SpectralShape& shape) {
+                 const std::string bytes = run([&] { return shape.to_bytes(); });
+                 return nb::bytes(bytes.data(), bytes.size());
+             })
         .def(
             "write",
             [](const SpectralShape& shape, const std::string& file) { write_spectral_shape(shape, file); },

@@ -38,6 +38,12 @@ nb::dict dictionary(const MeshReport& report) {
                          report.area, "mean_edge_length", report.mean_edge_length, "components", components);
 }
 
+AttributedMesh content_of(TriangleMesh mesh) {
+    AttributedMesh content;
+    content.mesh = std::move(mesh);
+    return content;
+}
+
 Matrix distances(const Mesh& mesh, std::vector<Index> sources, bool shortcuts,
                  const DistanceOptions& options) {
     return distance_rows(DistanceGraph(mesh, {.shortcuts = shortcuts}), sources, options);
@@ -62,18 +68,15 @@ void bind_meshes(nb::module_& module) {
     });
     module.def("subdivide", [](const Mesh& mesh) { return arrays(subdivide(mesh)); });
     module.def("deform", [](const Mesh& mesh, double bend, double twist, double warp, std::uint64_t seed) {
-        return matrix_array(
-            deform(mesh, {.bend = bend, .twist = twist, .warp = warp, .seed = seed}).vertices);
+        return content_of(deform(mesh, {.bend = bend, .twist = twist, .warp = warp, .seed = seed}));
     });
     module.def("shuffle", [](const Mesh& mesh, std::uint64_t seed) {
         ShuffleResult result = shuffle(mesh, seed);
-        return std::tuple(matrix_array(std::move(result.mesh.vertices)),
-                          matrix_array(std::move(result.mesh.triangles)),
+        return std::tuple(content_of(std::move(result.mesh)),
                           array(std::move(result.shuffled_from_original)));
     });
-    module.def("move_at_random", [](const Mesh& mesh, std::uint64_t seed) {
-        return matrix_array(move_at_random(mesh, seed).vertices);
-    });
+    module.def("move_at_random",
+               [](const Mesh& mesh, std::uint64_t seed) { return content_of(move_at_random(mesh, seed)); });
 
     module.def("inspect", [](const Mesh& mesh) { return dictionary(run([&] { return analyze(mesh); })); });
     module.def("vertex_areas", [](const Mesh& mesh) { return array(vertex_areas(mesh)); });

@@ -92,10 +92,10 @@ void bind_pictures(nb::module_& module) {
     module.def(
         "render_colors",
         [](const Mesh& mesh, const PointArray& colors, const Picture& picture, const nb::object& progress) {
-            return pixels(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&, copy = Points(map_of(colors))](Progress report) {
                 const PlacedMesh placed = picture.placed(mesh);
                 Scene scene;
-                scene.surfaces.push_back({placed.placement(mesh), map_of(colors), {}});
+                scene.surfaces.push_back({placed.placement(mesh), copy, {}});
                 return render::render(scene, picture.options(std::move(report)));
             }));
         },
@@ -104,10 +104,10 @@ void bind_pictures(nb::module_& module) {
         "render_values",
         [](const Mesh& mesh, const VectorArray& values, double max, const std::string& colormap,
            const Picture& picture, const nb::object& progress) {
-            return pixels(run(progress, [&](Progress report) {
+            return pixels(run(progress, [&, copy = Vector(map_of(values))](Progress report) {
                 Scene scene;
                 scene.surfaces.push_back(
-                    value_surface(picture.placed(mesh), map_of(values), max, colormap_from_name(colormap)));
+                    value_surface(picture.placed(mesh), copy, max, colormap_from_name(colormap)));
                 return render::render(scene, picture.options(std::move(report)));
             }));
         },

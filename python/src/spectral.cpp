@@ -53,7 +53,9 @@ void bind_spectral(nb::module_& module) {
     module.def(
         "vertex_map",
         [](const ColumnArray& source_from_target, const EigenBasis& source, const EigenBasis& target) {
-            return array(run([&] { return vertex_map(map_of(source_from_target), source, target); }));
+            return array(run([&, copy = Eigen::MatrixXd(map_of(source_from_target))] {
+                return vertex_map(copy, source, target);
+            }));
         },
         "source_from_target"_a, "source"_a, "target"_a);
     module.def(

@@ -146,8 +146,15 @@ void bind_transfer(nb::module_& module) {
                     throw InvalidInput(
                         "the meshes have different connectivity (" + match.difference +
                         "), so the order cannot be restored; find_differences says where they differ");
-                return {reorder(source, target, match.target_from_source, match.target_corner_from_source),
-                        match.target_from_source, match.notices};
+                Reordered made{
+                    reorder(source, target, match.target_from_source, match.target_corner_from_source),
+                    match.target_from_source, match.notices};
+                if (match.mirrored) {
+                    made.content = turned_inside_out(std::move(made.content));
+                    made.notices.emplace_back(
+                        "its faces are wound the other way than the source's, so that the outside stays out");
+                }
+                return made;
             });
             return std::tuple(std::move(result.content), array(result.map), result.notices);
         },

@@ -4,14 +4,17 @@
 """random_calls.py COUNT [FIRST]: calls of the package at random, with arrays of every type, layout and content.
 
 Each call is drawn from its own number, so `random_calls.py 1 N` repeats call N. A call must return or raise one of the
-documented exceptions and leave its arrays as they were. Prints how the calls of each function ended, as JSON. The file
-that RANDOM_CALLS_LOG names, if any, holds the number of the call that runs: for a sanitizer that ends the process.
+documented exceptions and leave its arrays as they were; during every sixth call another thread changes them. Prints how
+the calls of each function ended, as JSON. The file that RANDOM_CALLS_LOG names, if any, holds the number of the
+call that runs: for a sanitizer that ends the process.
 """
 
 import json
 import os
 import sys
 import tempfile
+import threading
+import time
 
 import counterpart
 import numpy as np
@@ -230,7 +233,8 @@ class Calls:
     def call_mesh_file(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(
-                folder, "mesh" + self.pick(".off", ".obj", ".ply", ".stl", ".glb", ".gltf", odd=[".none"])
+                folder,
+                "mesh" + self.pick(".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".vtk", ".vtp", odd=[".none"]),
             )
             counterpart.write(self.mesh(), file)
             return counterpart.read(file)
@@ -346,19 +350,43 @@ FUNCTIONS = [name for name in vars(Calls) if name.startswith("call_")]
 SELDOM = {"call_match_spectral", "call_match_partial"}
 
 
+def disturb(given, stop):
+    """Changes the arrays that were handed over, until it is told to stop."""
+    random = np.random.default_rng(0)
+    while not stop.is_set():
+        for array, before in list(given):
+            if not (
+                isinstance(array, np.ndarray) and array.flags.writeable and array.size and array.dtype.kind in "if"
+            ):
+                continue
+            worst = [np.nan, np.inf, -1e4] if array.dtype.kind == "f" else [np.iinfo(array.dtype).max, -1, 100]
+            array.flat[random.integers(array.size)] = random.choice(worst)
+            array[...] = before
+        time.sleep(0)
+
+
 def run(number):
     """One call; the name of what was called, and how it ended."""
     calls = Calls(number)
     name = calls.pick(*FUNCTIONS)
     if name in SELDOM and calls.chance(0.95):
         name = calls.pick(*FUNCTIONS)
+    stop = threading.Event()
+    disturber = threading.Thread(target=disturb, args=(calls.given, stop))
+    is_disturbed = number % 6 == 5
+    if is_disturbed:
+        disturber.start()
     try:
         getattr(calls, name)()
         ended = "returned"
     except DOCUMENTED as error:
         ended = type(error).__name__
         assert str(error), f"{name} raised {ended} without a word"
-    for array, before in calls.given:
+    finally:
+        stop.set()
+        if is_disturbed:
+            disturber.join()
+    for array, before in calls.given if not is_disturbed else ():
         assert repr(array.tolist()) == repr(before.tolist()), f"{name} changed its input"
     return name.removeprefix("call_"), ended
 

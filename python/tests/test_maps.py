@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
+import dataclasses
+
 import counterpart
 import numpy as np
 import pytest
@@ -118,3 +120,77 @@ def test_reorder(pair):
     np.testing.assert_array_equal(result.mesh.triangles, source.triangles)
     with pytest.raises(counterpart.InvalidInput, match="connectivity"):
         counterpart.reorder(source, (target.vertices, target.triangles[1:]))
+
+
+@pytest.fixture(scope="module")
+def points(pair):
+    """A map to points of triangles, and its nearest corners."""
+    source, target, truth = pair
+    found = counterpart.project_map(source, target, truth)
+    return found, counterpart.nearest_corners(target, found)
+
+
+def test_a_map_to_points_goes_wherever_a_map_goes(pair, points, tmp_path):
+    source, target, truth = pair
+    found, corners = points
+    for use in (
+        lambda map: counterpart.evaluate(source, target, map, truth).error,
+        lambda map: counterpart.evaluate(source, target, truth, map).error,
+        lambda map: np.array(dataclasses.astuple(counterpart.map_quality(source, target, map))),
+        lambda map: counterpart.project_map(source, target, map).triangle,
+        lambda map: counterpart.render(source, target, map, size=(40, 30)),
+        lambda map: np.frombuffer(counterpart.view(source, target, map).html.encode(), np.uint8),
+        lambda map: counterpart.compose_maps(map, counterpart.invert_map(source, target, truth), target).triangle,
+    ):
+        np.testing.assert_array_equal(use(found), use(corners))
+    bases = counterpart.spectrum(source, 8), counterpart.spectrum(target, 8)
+    np.testing.assert_array_equal(
+        counterpart.functional_map(found, *bases), counterpart.functional_map(corners, *bases)
+    )
+    small = {"first": 3, "last": 6, "step": 1}
+    np.testing.assert_array_equal(
+        counterpart.zoom_out(found, *bases, **small), counterpart.zoom_out(corners, *bases, **small)
+    )
+    counterpart.write_map(found, tmp_path / "points.txt")
+    np.testing.assert_array_equal(
+        counterpart.evaluate(source, target, tmp_path / "points.txt", truth).error,
+        counterpart.evaluate(source, target, corners, truth).error,
+    )
+    for use in (counterpart.transfer_values, counterpart.complete_map, counterpart.invert_map, counterpart.align):
+        extra = [source.vertices] if use is counterpart.transfer_values else []
+        use(source, target, found, *extra)
+    with pytest.raises(counterpart.InvalidInput, match="not known"):
+        counterpart.compose_maps(found, truth)
+
+
+def test_compose_with_a_map_to_points(pair):
+    source, target, truth = pair
+    back = counterpart.invert_map(source, target, truth)
+    there_and_back = counterpart.compose_maps(truth, back)
+    np.testing.assert_array_equal(counterpart.nearest_corners(source, there_and_back), np.arange(len(truth)))
+    some = truth.copy()
+    some[3] = -1
+    composed = counterpart.compose_maps(some, back)
+    assert composed.triangle[3] == -1 and not composed.weights[3].any()
+
+
+def test_truth_in_every_form(pair):
+    source, target, truth = pair
+    known = np.arange(len(truth))
+    expected = counterpart.evaluate(source, target, truth, truth).n_exact
+    for form in ((known, truth), (known.tolist(), truth.tolist()), np.column_stack([known, truth])):
+        assert counterpart.evaluate(source, target, truth, form).n_exact == expected == len(truth)
+    two = counterpart.evaluate(source, target, truth, ((0, truth[0]), (5, truth[5])))  # two pairs
+    columns = counterpart.evaluate(source, target, truth, ([0, 5], [truth[0], truth[5]]))
+    assert two.n_exact == columns.n_exact == 2
+    with pytest.raises(counterpart.InvalidInput, match="make no pairs"):
+        counterpart.evaluate(source, target, truth, (known, truth[1:]))
+
+
+def test_a_result_is_an_array(pair):
+    source, target, truth = pair
+    result = counterpart.match(source, target)
+    np.testing.assert_array_equal(np.asarray(result), truth)
+    assert np.asarray(result, np.int64).dtype == np.int64
+    assert np.shares_memory(np.asarray(result), result.target_from_source)
+    assert not np.shares_memory(np.array(result), result.target_from_source)

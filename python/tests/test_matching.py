@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 import os
 import signal
+import subprocess
 import threading
 import time
 import timeit
@@ -247,3 +248,92 @@ def test_a_call_costs_little():
     truth = np.arange(mesh.n_vertices, dtype=np.int32)
     best = min(timeit.repeat(lambda: counterpart.map_quality(mesh, mesh, truth), number=20, repeat=50)) / 20
     assert best < 50e-6
+
+
+def test_match_takes_prepared_shapes(blobs):
+    source, target = blobs
+    quick = {"basis_size": 30, "n_samples": 200}
+    expected = counterpart.match(source, target, "spectral", **quick)
+    shapes = [counterpart.SpectralShape(mesh, **quick) for mesh in blobs]
+    for a, b in ((shapes[0], shapes[1]), (shapes[0], target), (source, shapes[1])):
+        found = counterpart.match(a, b, "spectral", **quick)
+        np.testing.assert_array_equal(found.target_from_source, expected.target_from_source)
+        np.testing.assert_array_equal(found.confidence, expected.confidence)
+    # They are what is matched, not their meshes anew: one of another mesh shows.
+    swapped = counterpart.SpectralShape._of(shapes[1]._shape, shapes[0].mesh)
+    as_target = counterpart.match(target, shapes[1], "spectral", **quick).target_from_source
+    np.testing.assert_array_equal(counterpart.match(swapped, shapes[1], "spectral").target_from_source, as_target)
+    assert counterpart.match(shapes[0], source).method == "exact"
+    assert counterpart.inspect(shapes[0])["n_vertices"] == source.n_vertices
+
+
+def test_shapes_from_files_have_no_mesh(blobs, tmp_path):
+    counterpart.SpectralShape(blobs[0], basis_size=30, n_samples=200).save(tmp_path / "a.shape")
+    with pytest.raises(counterpart.InvalidInput, match="does not hold its mesh"):
+        counterpart.match(counterpart.SpectralShape.load(tmp_path / "a.shape"), blobs[1])
+
+
+def test_initial_maps_are_refined(scans, program, tmp_path):
+    source, target, truth = scans
+    rough = np.where(np.random.default_rng(0).random(len(truth)) < 0.3, -1, truth)
+    found = counterpart.match(source, target, initial=rough)
+    assert found.method == "spectral" and "refined the given map" in found.notices[0]
+    before = counterpart.complete_map(source, target, np.where(np.arange(len(truth)) % 40, -1, truth))
+    refined = counterpart.match(source, target, initial=before)
+    errors = [counterpart.evaluate(source, target, map, truth).mean_error for map in (before, refined)]
+    assert errors[1] < 0.8 * errors[0]
+    for name, mesh in (("a.ply", source), ("b.ply", target)):
+        counterpart.write(mesh, tmp_path / name)
+    counterpart.write_map(rough, tmp_path / "rough.txt")
+    command = [program, "match", "a.ply", "b.ply", "--initial", "rough.txt", "-o", "map.txt", "-q"]
+    subprocess.run(command, check=True, cwd=tmp_path)
+    np.testing.assert_array_equal(counterpart.read_map(tmp_path / "map.txt"), found.target_from_source)
+    with pytest.raises(counterpart.InvalidInput, match="landmarks is not used"):
+        counterpart.match(source, target, initial=rough, landmarks=[[0, 0]])
+    with pytest.raises(counterpart.InvalidInput, match="method cannot be 'exact'"):
+        counterpart.match(source, target, "exact", initial=rough)
+    with pytest.raises(counterpart.InvalidInput, match="entries"):
+        counterpart.match(source, target, initial=rough[1:])
+
+
+def test_fit_and_morph_match_by_themselves(pair, scans):
+    source, target, truth = pair
+    fitted, given = counterpart.fit(source, target), counterpart.fit(source, target, truth)
+    np.testing.assert_array_equal(fitted.vertices, given.vertices)
+    moved = counterpart.morph(source, target, count=1)
+    np.testing.assert_array_equal(moved.last, counterpart.morph(source, target, truth, count=1).last)
+    bent = counterpart.deform(source, bend=0.2)
+    np.testing.assert_array_equal(counterpart.morph(source, bent, count=1).last, bent.vertices)  # the same triangles
+    assert counterpart.fit(*scans[:2]).distance.max() < 0.1
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_fit_uses_a_single_landmark():
+    """The template's one corner belongs at the scan's next one: the same triangles, so only the pair can tell."""
+    ball = counterpart.make_icosphere(2)
+    image = counterpart.match(ball, ball, landmarks=[[0, 1]]).target_from_source
+    assert image[0] == 1
+    fitted = counterpart.fit(ball, ball, landmarks=[[0, 1]])
+    assert np.linalg.norm(fitted.vertices[0] - ball.vertices[1]) < 1e-3
+    other = np.linalg.norm(fitted.vertices - ball.vertices, axis=1)
+    assert np.median(other) > 0.2  # the rest turns with it
+
+
+def test_a_full_disk_under_the_cache_is_a_warning(blobs, tmp_path):
+    quick = {"basis_size": 30, "n_samples": 200}
+    cache = tmp_path / "cache"
+    expected = counterpart.match(*blobs, "spectral", cache=cache, **quick).target_from_source
+    for file in list(cache.iterdir()):  # what is kept cannot be written there any more
+        file.unlink()
+        file.mkdir()
+    with pytest.warns(UserWarning, match="not kept"):
+        found = counterpart.match(*blobs, "spectral", cache=cache, **quick).target_from_source
+    np.testing.assert_array_equal(found, expected)
+    with pytest.warns(UserWarning, match="not kept"):
+        counterpart.SpectralShape(blobs[0], cache=cache, **quick)
+
+
+def test_threads_are_bounded(pair):
+    for n_threads in (-1, 10**9):
+        with pytest.raises(counterpart.InvalidInput, match="threads"):
+            counterpart.match(*pair[:2], n_threads=n_threads)

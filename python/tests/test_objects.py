@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes of other packages, by what they look like; the packages themselves where they are installed."""
 
+import subprocess
 from types import SimpleNamespace
 
 import counterpart
@@ -103,6 +104,46 @@ def test_pyvista():
     assert counterpart.inspect(pyvista.Plane())["n_boundary_edges"] == 40  # of quads
 
 
+@pytest.mark.parametrize("kind", ["triangles", "quads", "solid", "mixed"])
+def test_pyvista_grids(kind, tmp_path):
+    """What pyvista.read gives of many formats: its points are kept, all of them, in their order."""
+    pyvista = pytest.importorskip("pyvista")
+    unused = np.vstack([CUBE, [[9, 9, 9]]])  # a point that no cell names
+    cells = {
+        "triangles": {5: counterpart.Mesh.from_polygons(CUBE, [4] * 6, QUADS.ravel()).triangles},
+        "quads": {9: QUADS},
+        "solid": {12: np.array([[0, 1, 3, 2, 4, 5, 7, 6]])},
+        "mixed": {3: np.array([[0, 1]]), 9: QUADS},
+    }[kind]
+    grid = pyvista.UnstructuredGrid(cells, unused)
+    mesh = counterpart.match(grid, grid)
+    assert mesh.method == "exact" and len(mesh.target_from_source) == 9
+    report = counterpart.inspect(grid)
+    assert report["n_vertices"] == 9 and report["n_boundary_edges"] == 0 and report["area"] == pytest.approx(10)
+    with pytest.raises(counterpart.InvalidInput, match="no cells with an area"):
+        counterpart.inspect(pyvista.UnstructuredGrid({3: np.array([[0, 1]])}, unused))
+
+
+def test_pyvista_reads_what_is_written(tmp_path):
+    pyvista = pytest.importorskip("pyvista")
+    counterpart.Mesh(V, T).save(tmp_path / "a.off")
+    counterpart.Mesh(V, T).save(tmp_path / "a.stl")
+    assert counterpart.match(pyvista.read(tmp_path / "a.stl"), (V, T)).method == "exact"
+
+
+def test_variants_keep_polygons(tmp_path):
+    quads = counterpart.Mesh.from_polygons(CUBE, [4] * 6, QUADS.ravel())
+    shuffled, truth = counterpart.shuffle(quads, 3)
+    assert sorted(shuffled.polygons[0]) == 6 * [4]
+    np.testing.assert_array_equal(shuffled.vertices[truth], quads.vertices)
+    named = {tuple(sorted(truth[quad])) for quad in QUADS}
+    assert {tuple(sorted(quad)) for quad in shuffled.polygons[1].reshape(6, 4)} == named
+    assert counterpart.deform(quads, bend=0.1).polygons is not None
+    assert counterpart.move_at_random(quads).polygons is not None
+    shuffled.save(tmp_path / "cube.obj")
+    assert counterpart.match(quads, tmp_path / "cube.obj").method == "exact"
+
+
 def test_open3d():
     open3d = pytest.importorskip("open3d")
     mesh = open3d.geometry.TriangleMesh.create_sphere()
@@ -173,3 +214,25 @@ def test_arrays_outlive_their_mesh(tmp_path):
     counterpart.write((V, T), tmp_path / "a.ply")
     vertices = counterpart.read(tmp_path / "a.ply").vertices
     np.testing.assert_array_equal(vertices, V)
+
+
+@pytest.mark.parametrize("name", ["a.obj", "a.ply"])
+def test_reorder_keeps_the_outside_of_a_mirror_image_out(name, tmp_path, program):
+    """A left bone in the order of a right one."""
+
+    def volume(mesh):
+        a, b, c = (mesh.vertices[mesh.triangles[:, k]] for k in range(3))
+        return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+    body = counterpart.make_body(0)
+    image, _ = counterpart.shuffle((body.vertices * [-1, 1, 1], body.triangles[:, ::-1]))
+    result = counterpart.reorder(body, image)
+    np.testing.assert_allclose(result.mesh.vertices, body.vertices * [-1, 1, 1])
+    assert volume(result.mesh) == pytest.approx(volume(body))
+    assert "the outside stays out" in result.notices[-1]
+    counterpart.write(body, tmp_path / name)
+    counterpart.write(image, tmp_path / ("b" + name))
+    command = [program, "reorder", tmp_path / name, tmp_path / ("b" + name), "-o", tmp_path / ("c" + name)]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+    assert "the outside stays out" in said
+    assert volume(counterpart.read(tmp_path / ("c" + name))) == pytest.approx(volume(body))

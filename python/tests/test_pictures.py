@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
+import urllib.request
+
 import counterpart
 import numpy as np
 import pytest
@@ -50,3 +52,12 @@ def test_view(pair, tmp_path):
     assert pages["auto"] == pages["z"] and len({pages["y"], pages["z"], pages["-z"]}) == 3
     with pytest.raises(counterpart.InvalidInput, match="up axis"):
         counterpart.view(source, target, truth, up="w")
+
+
+def test_show_opens_what_was_made(body, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", lambda address: opened.append(urllib.request.urlopen(address).read()))
+    picture, page = counterpart.render(body, size=(40, 30)), counterpart.view(body, body, np.arange(body.n_vertices))
+    picture.show()
+    page.show()
+    assert opened == [picture.png(), page.html.encode()]

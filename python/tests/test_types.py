@@ -3,10 +3,13 @@
 """What type checkers are told is what is there."""
 
 import ast
+import dataclasses
 import inspect
 import pathlib
+import re
 
 import counterpart
+import pytest
 from counterpart import _core
 
 FOLDER = pathlib.Path(counterpart.__file__).parent
@@ -29,6 +32,58 @@ def test_the_stub_names_what_the_module_has():
 
 def test_the_package_is_marked_as_typed():
     assert (FOLDER / "py.typed").exists()
+
+
+def test_the_page_lists_everything():
+    """docs/python.md is read in the repository: a line for each function, the first of its help."""
+    page = pathlib.Path(__file__).parent.parent.parent / "docs" / "python.md"
+    if not page.exists():
+        pytest.skip("not in the repository")
+    listed = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", page.read_text(), re.MULTILINE))
+    values = {name: getattr(counterpart, name) for name in counterpart.__all__}
+    expected = {name for name, value in values.items() if inspect.isfunction(value) or inspect.isclass(value)}
+    assert listed.keys() == expected
+    for name, words in listed.items():
+        assert words == inspect.getdoc(values[name]).split("\n\n")[0].replace("\n", " ").replace("|", "or"), name
+
+
+def test_help_describes_every_field():
+    for name in counterpart.__all__:
+        value = getattr(counterpart, name)
+        if dataclasses.is_dataclass(value):
+            described = re.findall(r"^(\w+) : \S.*\n    \S", inspect.getdoc(value), re.MULTILINE)
+            assert described == [field.name for field in dataclasses.fields(value)], name
+        elif inspect.isclass(value):
+            for member, what in vars(value).items():
+                if (not member.startswith("_") and isinstance(what, (property, classmethod))) or inspect.isfunction(
+                    what
+                ):
+                    assert member.startswith("_") or inspect.getdoc(getattr(value, member)), f"{name}.{member}"
+
+
+def test_mypy_refuses_what_is_no_mesh(tmp_path):
+    """Only if mypy is here: the types must refuse what the functions refuse, and let through what they take."""
+    api = pytest.importorskip("mypy.api")
+    file = tmp_path / "calls.py"
+    file.write_text(
+        """import numpy as np
+import counterpart as cp
+
+v, t = cp.make_icosphere(1)
+shape = cp.SpectralShape((v, t))
+found = cp.match(shape, (v, t), initial=cp.SurfaceMap(t[:, 0], v))
+cp.match("a.obj", [v, t])
+cp.evaluate(cp.reorder("a.obj", "b.obj"), shape, found, ([0, 1], [2, 3]))
+cp.map_quality((v, t), (v, t), [0, 1, 2])
+np.asarray(found)
+cp.match(3, (v, t))
+cp.match((v, t), None)
+cp.map_quality((v, t), (v, t), 3.5)
+"""
+    )
+    shown, _, _ = api.run([str(file), "--no-incremental", "--cache-dir", str(tmp_path), "--strict"])
+    wrong = [int(line.split(":")[1]) for line in shown.splitlines() if ": error:" in line]
+    assert wrong == [11, 12, 13], shown
 
 
 def test_every_function_and_class_says_what_it_does():

@@ -21,4 +21,33 @@ std::string to_base64(std::string_view bytes) {
     return text;
 }
 
+namespace {
+
+int value_of(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    return c == '+' ? 62 : c == '/' ? 63 : -1;
+}
+
+}  // namespace
+
+std::optional<std::string> from_base64(std::string_view text) {
+    std::string bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    std::uint32_t bits = 0;
+    int n_bits = 0;
+    for (const char c : text.substr(0, text.find('='))) {
+        if (c == ' ' || c == '\t' || c == '\n' || c == '\r') continue;
+        const int value = value_of(c);
+        if (value < 0) return std::nullopt;
+        bits = (bits << 6U) | static_cast<std::uint32_t>(value);
+        n_bits += 6;
+        if (n_bits < 8) continue;
+        n_bits -= 8;
+        bytes += static_cast<char>((bits >> static_cast<unsigned>(n_bits)) & 0xffU);
+    }
+    return bytes;
+}
+
 }  // namespace counterpart::base

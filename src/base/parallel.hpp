@@ -30,12 +30,16 @@ namespace threads = plain_threads;
 namespace threads = tbb_threads;
 #endif
 
+/// More threads than any machine has: what is asked for beyond is a mistake, and would take memory for each.
+inline constexpr int max_threads = 1024;
+
 /// Runs `work` with `n_threads` threads (0 = all the machine has) for the loops inside it, and returns its
-/// result. Throws InvalidInput if n_threads is negative.
+/// result. Throws InvalidInput if n_threads is negative or above max_threads.
 template <class Work>
 auto with_threads(int n_threads, const Work& work) {
-    if (n_threads < 0)
-        throw InvalidInput("the number of threads must be 0 (all) or more, not " + std::to_string(n_threads));
+    if (n_threads < 0 || n_threads > max_threads)
+        throw InvalidInput("the number of threads must be 0 (all) to " + std::to_string(max_threads) +
+                           ", not " + std::to_string(n_threads));
     return threads::with_threads(n_threads, work);
 }
 

@@ -47,6 +47,8 @@ void require_consistent(const AttributedMesh& content) {
     }
     for (const MorphTarget& morph : content.morphs)
         require_rows(morph.displacements.rows(), n, fmt::format("the morph target '{}'", morph.name));
+    for (const VertexValues& column : content.values)
+        require_rows(column.values.rows(), n, fmt::format("the array of values '{}'", column.name));
     if (!content.parts.empty() && static_cast<Index>(content.parts.size()) != n_triangles)
         throw InvalidInput(
             fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));

@@ -30,6 +30,19 @@ void to_bytes(Content content, const Path& file) {
     write_file(bytes(content), file);
 }
 
+MeshFile read_stl_mesh(const Path& file, const ReadOptions& options) {
+    return read_stl(read_whole_file(file), file.string(), options.strict);
+}
+
+// A mesh through a writer of content.
+template <std::string (*bytes)(const AttributedMesh&)>
+void mesh_to_bytes(MeshView mesh, const Path& file) {
+    AttributedMesh content;
+    content.mesh = mesh.copy();
+    if (mesh.polygons != nullptr) content.mesh.polygons = *mesh.polygons;
+    write_file(bytes(content), file);
+}
+
 MeshFile read_gltf_mesh(const Path& file, const ReadOptions& options) {
     GltfFile gltf = read_gltf(file, options);
     return {std::move(gltf.content.mesh), std::move(gltf.notices)};
@@ -60,7 +73,7 @@ constexpr auto table = std::to_array<MeshFormat>({
      .read_attributed = from_bytes<read_attributed_ply>,
      .write = to_bytes<MeshView, ply_bytes>,
      .write_attributed = to_bytes<const AttributedMesh&, ply_bytes>},
-    {.extension = ".stl", .read = from_bytes<read_stl>, .write = to_bytes<MeshView, stl_bytes>},
+    {.extension = ".stl", .read = read_stl_mesh, .write = to_bytes<MeshView, stl_bytes>},
     {.extension = ".glb",
      .read = read_gltf_mesh,
      .read_attributed = read_gltf_content,
@@ -80,7 +93,14 @@ constexpr auto table = std::to_array<MeshFormat>({
      .write_solid = to_bytes<const TetrahedralMesh&, medit_bytes>},
     {.extension = ".vtk",
      .read_cells = cells_from_bytes<read_vtk>,
+     .write = mesh_to_bytes<vtk_bytes>,
+     .write_attributed = to_bytes<const AttributedMesh&, vtk_bytes>,
      .write_solid = to_bytes<const TetrahedralMesh&, vtk_bytes>},
+    {.extension = ".vtp",
+     .read_cells = cells_from_bytes<read_vtp>,
+     .write = mesh_to_bytes<vtp_bytes>,
+     .write_attributed = to_bytes<const AttributedMesh&, vtp_bytes>},
+    {.extension = ".gii", .read_cells = cells_from_bytes<read_gifti>},
     // Triangle and TetGen: several files
     {.extension = ".ele", .read_cells = read_ele},
     {.extension = ".node", .read_cells = read_ele},

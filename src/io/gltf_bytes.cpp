@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/base64.hpp"
 #include "io/byte_order.hpp"
 #include "io/gltf_document.hpp"
 
@@ -34,20 +35,6 @@ std::string type_of_width(Eigen::Index width) {
 
 void pad(std::string& bytes, std::size_t multiple, char filler) {
     bytes.resize((bytes.size() + multiple - 1) / multiple * multiple, filler);
-}
-
-std::string base64_encoded(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        unsigned bits = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            bits = (bits << 8U) | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i)
-            text += at + i <= bytes.size() ? digits[(bits >> (18U - 6U * i)) & 63U] : '=';
-    }
-    return text;
 }
 
 std::string mime_type(const std::string& uri) {
@@ -186,7 +173,7 @@ std::string gltf_bytes(GltfDocument document, bool binary) {
     if (binary) return glb_bytes(document);
     if (!document.buffers.empty()) {
         document.json["buffers"][0]["uri"] =
-            "data:application/octet-stream;base64," + base64_encoded(document.buffers[0]);
+            "data:application/octet-stream;base64," + to_base64(document.buffers[0]);
     }
     return document.json.dump(2, ' ', false, GltfJson::error_handler_t::replace) + "\n";
 }

@@ -52,6 +52,28 @@ std::string stated_version(const GltfJson& json) {
     return version.is_string() ? version.get<std::string>() : version.dump();
 }
 
+bool names(const GltfJson& json, const std::string& extension) {
+    return json.contains("extensions") && json["extensions"].contains(extension);
+}
+
+// Whether something is stored in that way only: a primitive whose positions are nowhere else, or a buffer.
+bool is_needed(const GltfDocument& document, const std::string& extension) {
+    const auto list = [](const GltfJson& json, const char* key) {
+        return json.contains(key) ? json[key] : GltfJson::array();
+    };
+    for (const GltfJson& mesh : list(document.json, "meshes")) {
+        for (const GltfJson& primitive : list(mesh, "primitives")) {
+            if (!names(primitive, extension) || !primitive.contains("attributes")) continue;
+            const std::int64_t positions = number_at(document, primitive["attributes"], "POSITION", -1);
+            if (positions >= 0 && !document.element("accessors", positions).contains("bufferView"))
+                return true;
+        }
+    }
+    for (const GltfJson& buffer : list(document.json, "buffers"))
+        if (names(buffer, extension) && !buffer.contains("uri")) return true;
+    return false;
+}
+
 void require_supported(const GltfDocument& document) {
     const std::string version = stated_version(document.json);
     if (!version.starts_with("2.")) {
@@ -62,12 +84,14 @@ void require_supported(const GltfDocument& document) {
     // Only what changes how triangles are stored; the rest is about looks and is carried along.
     static const std::set<std::string> unreadable = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                                      "KHR_meshopt_compression"};
-    if (!document.json.contains("extensionsRequired")) return;
-    for (const GltfJson& extension : document.json["extensionsRequired"]) {
-        if (unreadable.contains(extension.get<std::string>())) {
-            document.fail(fmt::format("the extension {} is not supported; export without compression",
-                                      extension.get<std::string>()));
-        }
+    for (const char* list : {"extensionsRequired", "extensionsUsed"}) {
+        if (!document.json.contains(list)) continue;
+        const bool is_required = list == std::string_view("extensionsRequired");
+        for (const GltfJson& extension : document.json[list])
+            if (unreadable.contains(extension.get<std::string>()) &&
+                (is_required || is_needed(document, extension.get<std::string>())))
+                document.fail(fmt::format("the extension {} is not supported; export without compression",
+                                          extension.get<std::string>()));
     }
 }
 

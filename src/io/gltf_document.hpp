@@ -42,6 +42,7 @@ class GltfContent final : public Document {
     explicit GltfContent(GltfDocument gltf) : gltf_(std::move(gltf)) {}
     const GltfDocument& gltf() const { return gltf_; }
 
+    std::string to_bytes() const override;
     bool has_materials() const override;
     std::shared_ptr<const Document> without_materials() const override;
     std::shared_ptr<const Document> without_skeleton() const override;

@@ -4,6 +4,7 @@
 // What a glTF file names beside itself. A file from a stranger could name any file of the machine, whose
 // bytes would then be in what is written: so only those of its own folder are read, unless the caller allows
 // others.
+#include "base/base64.hpp"
 #include "io/gltf_document.hpp"
 
 #include <counterpart/io/file.hpp>
@@ -16,29 +17,6 @@ namespace counterpart::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-int base64_value(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
-std::string base64_decoded(const GltfDocument& document, std::string_view text) {
-    std::string bytes;
-    unsigned bits = 0;
-    int n_bits = 0;
-    for (const char c : text.substr(0, text.find('='))) {
-        const int value = base64_value(c);
-        if (value < 0) document.fail("a data URI is not valid base64");
-        bits = (bits << 6U) | static_cast<unsigned>(value);
-        n_bits += 6;
-        if (n_bits < 8) continue;
-        n_bits -= 8;
-        bytes += static_cast<char>((bits >> static_cast<unsigned>(n_bits)) & 0xffU);
-    }
-    return bytes;
-}
 
 std::string percent_decoded(std::string_view text) {
     std::string result;
@@ -117,7 +95,9 @@ std::string load_uri(const GltfDocument& document, const std::string& uri, const
         case GltfUri::Kind::data: {
             const std::size_t data = uri.find(";base64,");
             if (data == uri.npos) document.fail(fmt::format("{}: the data URI is not base64", what));
-            return base64_decoded(document, std::string_view(uri).substr(data + 8));
+            auto bytes = from_base64(std::string_view(uri).substr(data + 8));
+            if (!bytes) document.fail("a data URI is not valid base64");
+            return *std::move(bytes);
         }
     }
     document.fail(fmt::format("{} lies elsewhere; save it beside this file", what));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/mesh_collector.hpp"
 
+#include "io/left_out.hpp"
+
 #include <counterpart/base/errors.hpp>
 
 #include <fmt/format.h>
@@ -12,8 +14,10 @@ MeshFile MeshCollector::finish() {
     const auto n_corners = static_cast<std::int64_t>(corners_.size());
     if (n_corners > max_count || n_vertices() > max_count)
         throw InvalidInput("the mesh has more than 2147483647 vertices or corners of faces");
-    MeshFile result{cut_into_triangles(PointsView(coordinates_.data(), n_vertices(), 3), sizes_, corners_),
-                    {}};
+    Points points = PointsView(coordinates_.data(), n_vertices(), 3);
+    std::vector<Index> left_out = place_left_out(points);
+    MeshFile result{cut_into_triangles(points, sizes_, corners_), {}};
+    result.mesh.left_out = std::move(left_out);
     coordinates_ = {};
     corners_ = sizes_ = {};
     if (n_polygons_ > 0) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/corner_rows.hpp"
 #include "io/format_table.hpp"
+#include "io/left_out.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -38,6 +39,37 @@ auto naming(const std::filesystem::path& file, const char* prefix, const Work& w
     }
 }
 
+std::string counted(std::size_t n, const char* one, const char* many) {
+    return n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", n, many);
+}
+
+// Without the faces of vertices that are left out; says so, or refuses them.
+void leave_out(AttributedMesh& content, std::vector<std::string>& notices, const ReadOptions& options) {
+    const std::vector<Index>& left_out = content.mesh.left_out;
+    if (left_out.empty()) return;
+    if (options.strict)
+        throw InvalidInput(fmt::format("vertex {} has a coordinate that is no finite number", left_out[0]));
+    const auto n_removed = static_cast<std::size_t>(remove_faces_of_left_out(content));
+    notices.push_back(
+        fmt::format("{} left out, with {} on {}: vertex {} is the first; maps have no partner for {}",
+                    counted(left_out.size(), "vertex whose coordinates are no numbers is",
+                            "vertices whose coordinates are no numbers are"),
+                    counted(n_removed, "triangle", "triangles"), left_out.size() == 1 ? "it" : "them",
+                    left_out[0], left_out.size() == 1 ? "it" : "them"));
+}
+
+AttributedMeshFile with_attributes(MeshFile plain) {
+    AttributedMeshFile result{{}, std::move(plain.notices)};
+    result.content.mesh = std::move(plain.mesh);
+    return result;
+}
+
+AttributedMeshFile read_plain(const MeshFormat& format, const std::filesystem::path& file,
+                              const ReadOptions& options) {
+    if (format.read != nullptr) return with_attributes(format.read(file, options));
+    return content_of_cells(format.read_cells(file), file.string());
+}
+
 constexpr const char* not_written = "not written: ";
 
 }  // namespace
@@ -46,6 +78,7 @@ MeshExtensions mesh_extensions() {
     return {
         extensions_where([](const MeshFormat& f) { return f.read != nullptr || f.read_cells != nullptr; }),
         extensions_where([](const MeshFormat& f) { return f.write != nullptr; }),
+        extensions_where([](const MeshFormat& f) { return f.read_cells != nullptr; }),
         extensions_where([](const MeshFormat& f) { return f.write_solid != nullptr; })};
 }
 
@@ -53,24 +86,21 @@ MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options
     const MeshFormat* const format = find_mesh_format(file);
     if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
     return naming(file, "", [&] {
-        MeshFile result = format->read != nullptr ? format->read(file, options)
-                                                  : mesh_of_cells(format->read_cells(file), file.string());
-        require_valid(result.mesh);
-        return result;
+        AttributedMeshFile read = read_plain(*format, file, options);
+        leave_out(read.content, read.notices, options);
+        require_valid(read.content.mesh);
+        return MeshFile{std::move(read.content.mesh), std::move(read.notices)};
     });
 }
 
 AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const ReadOptions& options) {
     const MeshFormat* const format = find_mesh_format(file);
-    if (format == nullptr || format->read_attributed == nullptr) {
-        MeshFile plain = read_mesh(file, options);
-        AttributedMeshFile result;
-        result.content.mesh = std::move(plain.mesh);
-        result.notices = std::move(plain.notices);
-        return result;
-    }
+    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
     return naming(file, "", [&] {
-        AttributedMeshFile result = format->read_attributed(file, options);
+        AttributedMeshFile result = format->read_attributed != nullptr
+                                        ? format->read_attributed(file, options)
+                                        : read_plain(*format, file, options);
+        leave_out(result.content, result.notices, options);
         require_valid(result.content.mesh);
         return result;
     });

@@ -45,7 +45,7 @@ MeshFile read_obj(std::string_view bytes, const std::string& name) {
     for (; text.next_content(); text.next_statement()) {
         const std::string_view key_word = text.word();
         if (key_word == "v") {
-            const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
+            const double x = text.number("x"), y = text.number("y"), z = text.number("z");
             mesh.add_vertex(x, y, z);  // a weight or a color may follow
         } else if (key_word == "f") {
             corners.clear();

@@ -15,6 +15,7 @@
 #include <array>
 #include <charconv>
 #include <initializer_list>
+#include <limits>
 #include <unordered_map>
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ namespace counterpart::io {
 namespace {
 
 using Corner = std::array<std::int64_t, 3>;  // rows from 0 of v, vt, vn; -1: none
+constexpr std::int64_t missing = std::numeric_limits<std::int64_t>::max();  // a row before the first
 
 struct ObjAttributes {
     std::vector<double> texture_coordinates, normals, colors;
@@ -41,9 +43,9 @@ Corner parse_corner(const TextCursor& text, std::string_view word, const Corner&
         if (part.empty()) continue;
         std::int64_t number = 0;
         const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-        if (error != std::errc() || end != part.data() + part.size() || number == 0 || number < -counts[k])
-            text.fail(fmt::format("'{}' is no number of a texture coordinate or normal so far", part));
-        corner[k] = number > 0 ? number - 1 : counts[k] + number;
+        if (error != std::errc() || end != part.data() + part.size() || number == 0)
+            text.fail(fmt::format("'{}' is no number of a texture coordinate or normal", part));
+        corner[k] = number > 0 ? number - 1 : number < -counts[k] ? missing : counts[k] + number;
     }
     return corner;
 }
@@ -93,8 +95,10 @@ ObjAttributes scan(std::string_view bytes, const std::string& name) {
     return found;
 }
 
+// Exporters strip rows that corners still name: then the attribute is left out, with a notice.
 CornerAttribute attribute_of(const ObjAttributes& found, const TriangleMesh& mesh, std::size_t k,
-                             const std::vector<double>& values, Eigen::Index width, const std::string& name) {
+                             const std::vector<double>& values, Eigen::Index width,
+                             std::vector<std::string>& notices) {
     CornerAttribute attribute;
     const auto n_rows = static_cast<Eigen::Index>(values.size()) / width;
     attribute.values = Eigen::Map<const Matrix>(values.data(), n_rows, width);
@@ -103,9 +107,11 @@ CornerAttribute attribute_of(const ObjAttributes& found, const TriangleMesh& mes
     for (Eigen::Index i = 0; i < attribute.corners.size(); ++i) {
         const Eigen::Index corner = mesh.polygons.empty() ? i : mesh.polygons.corners(i / 3, i % 3);
         const std::int64_t row = found.corners[static_cast<std::size_t>(corner)][k];
-        if (row >= n_rows)
-            throw IoError(fmt::format("{}: a face names {} {}, but the file has only {}", name,
-                                      k == 1 ? "texture coordinate" : "normal", row + 1, n_rows));
+        if (row >= n_rows) {
+            notices.push_back(fmt::format("{} are left out: faces name more than the {} that the file has",
+                                          k == 1 ? "texture coordinates" : "normals", n_rows));
+            return {};
+        }
         any |= row >= 0;
         attribute.corners(i / 3, i % 3) = static_cast<Index>(row);
     }
@@ -152,10 +158,11 @@ AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string
     AttributedMeshFile result{{}, std::move(plain.notices)};
     AttributedMesh& content = result.content;
     content.mesh = std::move(plain.mesh);
-    if (CornerAttribute uv = attribute_of(found, content.mesh, 1, found.texture_coordinates, 2, name);
+    if (CornerAttribute uv =
+            attribute_of(found, content.mesh, 1, found.texture_coordinates, 2, result.notices);
         uv.values.rows() > 0)
         content.texture_coordinates.push_back(std::move(uv));
-    content.normals = attribute_of(found, content.mesh, 2, found.normals, 3, name);
+    content.normals = attribute_of(found, content.mesh, 2, found.normals, 3, result.notices);
     if (found.n_vertices > 0 && static_cast<std::int64_t>(found.colors.size()) == 3 * found.n_vertices)
         content.colors.push_back(
             {Eigen::Map<const Matrix>(found.colors.data(), found.n_vertices, 3), content.mesh.triangles});

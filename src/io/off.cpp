@@ -71,7 +71,7 @@ MeshFile read_off(std::string_view bytes, const std::string& name) {
     for (std::int64_t v = 0; v < n_vertices; ++v) {
         if (!text.next_content())
             text.fail(fmt::format("the file ends after {} of {} vertices", v, n_vertices));
-        const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
+        const double x = text.number("x"), y = text.number("y"), z = text.number("z");
         mesh.add_vertex(x, y, z);
         text.next_line();
     }

@@ -33,10 +33,9 @@ class TextValues {
                 fmt::format("the file ends after {} of {} elements '{}'", i, element.count, element.name));
     }
     void end() {
-        if (!text_.at_line_end()) text_.fail("the line has more values than the header says");
+        n_surplus_ += text_.at_line_end() ? 0 : 1;
         text_.next_line();
     }
-    double coordinate(const PlyProperty& property) { return text_.coordinate(property.name); }
     double number(const PlyProperty& property) { return text_.number(property.name); }
     std::int64_t integer(PlyType, const PlyProperty& property) { return text_.integer(property.name); }
     void skip(PlyType, const PlyProperty& property) { text_.number(property.name); }
@@ -44,9 +43,12 @@ class TextValues {
     std::size_t remaining() const { return text_.remaining(); }
     static std::size_t least_size(PlyType) { return 1; }
     [[noreturn]] void fail(std::string_view reason) const { text_.fail(reason); }
+    /// Lines with more values than the header says.
+    std::int64_t n_surplus() const { return n_surplus_; }
 
   private:
     TextCursor& text_;
+    std::int64_t n_surplus_ = 0;
 };
 
 // The values of a binary body.
@@ -60,7 +62,6 @@ class BinaryValues {
         i_ = i;
     }
     void end() {}
-    double coordinate(const PlyProperty& property) { return value<double>(property.type); }
     double number(const PlyProperty& property) { return value<double>(property.type); }
     std::int64_t integer(PlyType type, const PlyProperty&) { return value<std::int64_t>(type); }
     void skip(PlyType type, const PlyProperty&) { take(size_of(type)); }
@@ -70,6 +71,7 @@ class BinaryValues {
     [[noreturn]] void fail(std::string_view reason) const {
         throw IoError(fmt::format("{}: {} {}: {}", name_, element_->name, i_, reason));
     }
+    static std::int64_t n_surplus() { return 0; }  // nothing parts one element from the next
 
   private:
     const char* take(std::size_t size) {
@@ -156,7 +158,7 @@ std::vector<double> read_vertices(Values& values, const PlyElement& element, con
         values.begin(element, v);
         for (const PlyProperty& property : element.properties) {
             if (is_axis(property)) {
-                point[axes.find(property.name)] = values.coordinate(property);
+                point[axes.find(property.name)] = values.number(property);
             } else if (wanted.of_vertices && !property.is_list) {
                 columns.push_back(values.number(property));
             } else {
@@ -237,6 +239,10 @@ PlyColumns read_body(Values values, const PlyHeader& header, std::int64_t n_vert
         }
     }
     result.file = mesh.finish();
+    if (values.n_surplus() > 0)
+        result.file.notices.push_back(
+            fmt::format("{} lines have more values than the header says; what is too much is left out",
+                        values.n_surplus()));
     return result;
 }
 

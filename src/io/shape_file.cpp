@@ -69,8 +69,8 @@ void write_spectral_shape(const SpectralShape& shape, const std::filesystem::pat
     write_file(shape.to_bytes(), file);
 }
 
-SpectralShape cached_spectral_shape(const std::filesystem::path& folder, MeshView mesh,
-                                    const SpectralShapeOptions& options) {
+CachedShape cached_spectral_shape(const std::filesystem::path& folder, MeshView mesh,
+                                  const SpectralShapeOptions& options) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure || !std::filesystem::is_directory(folder))
@@ -80,11 +80,15 @@ SpectralShape cached_spectral_shape(const std::filesystem::path& folder, MeshVie
     const std::filesystem::path file = folder / fmt::format("{:016x}.shape", hash_of(key));
     if (std::optional<SpectralShape> kept = kept_shape(file, key)) {
         report_progress(options.progress, 1);
-        return *std::move(kept);
+        return {*std::move(kept)};
     }
-    SpectralShape shape(mesh, options);
-    write_file(key + shape.to_bytes(), file);
-    return shape;
+    CachedShape made{SpectralShape(mesh, options)};
+    try {
+        write_file(key + made.shape.to_bytes(), file);
+    } catch (const WriteError& error) {  // what was computed is worth more than that it is kept
+        made.warning = fmt::format("the prepared shape is used, but not kept: {}", error.what());
+    }
+    return made;
 }
 
 }  // namespace counterpart

@@ -5,6 +5,7 @@
 // become one vertex.
 #include "io/byte_order.hpp"
 #include "io/formats.hpp"
+#include "io/left_out.hpp"
 #include "io/mesh_collector.hpp"
 #include "io/text_cursor.hpp"
 
@@ -34,8 +35,9 @@ bool is_binary(std::string_view bytes) {
     if (bytes.size() >= prefix_size &&
         bytes.size() == prefix_size + facet_size * load_number<std::uint32_t>(bytes.data() + header_size))
         return true;
-    const std::size_t word = bytes.find_first_not_of(" \t\r\n");
-    return word == bytes.npos || lower(bytes.substr(word, 5)) != "solid";
+    const std::string_view text = without_mark(bytes);
+    const std::size_t word = text.find_first_not_of(" \t\r\n");
+    return word == text.npos || lower(text.substr(word, 5)) != "solid";
 }
 
 MeshCollector read_binary(std::string_view bytes, const std::string& name) {
@@ -70,7 +72,7 @@ MeshCollector read_text(std::string_view bytes, const std::string& name) {
     for (; text.next_content(); text.next_line()) {
         const std::string word = lower(text.word());
         if (word == "vertex") {
-            const double x = text.coordinate("x"), y = text.coordinate("y"), z = text.coordinate("z");
+            const double x = text.number("x"), y = text.number("y"), z = text.number("z");
             mesh.add_vertex(x, y, z);
             ++n_corners;
         } else if (word == "endloop") {
@@ -86,20 +88,40 @@ MeshCollector read_text(std::string_view bytes, const std::string& name) {
     return mesh;
 }
 
+// The corners of the triangles that are left, one after another.
+TriangleMesh without_unused(const TriangleMesh& corners) {
+    if (corners.left_out.empty()) return corners;
+    TriangleMesh result{Points(3 * corners.n_triangles(), 3), Triangles(corners.n_triangles(), 3)};
+    for (Index t = 0; t < corners.n_triangles(); ++t) {
+        result.vertices.middleRows<3>(3 * t) = corners.vertices.middleRows<3>(corners.triangles(t, 0));
+        result.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    }
+    return result;
+}
+
 }  // namespace
 
-MeshFile read_stl(std::string_view bytes, const std::string& name) {
+MeshFile read_stl(std::string_view bytes, const std::string& name, bool strict) {
     MeshCollector collector = is_binary(bytes) ? read_binary(bytes, name) : read_text(bytes, name);
     const std::int64_t n_corners = collector.n_vertices();
     if (n_corners > max_count) throw InvalidInput("the mesh has too many triangles");
-    TriangleMesh corners = collector.finish().mesh;
+    AttributedMesh facets;
+    TriangleMesh& corners = facets.mesh;
+    corners = collector.finish().mesh;
     corners.triangles.resize(n_corners / 3, 3);
     for (Index t = 0; t < corners.n_triangles(); ++t) corners.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    if (strict && !corners.left_out.empty())
+        throw IoError(fmt::format("{}: triangle {} has a coordinate that is no finite number", name,
+                                  corners.left_out[0] / 3));
+    const Index n_removed = remove_faces_of_left_out(facets);
     MeshFile result;
-    result.mesh = weld(corners).mesh;
+    result.mesh = weld(without_unused(corners)).mesh;
     result.notices.push_back(
-        fmt::format("STL has no connectivity: {} corners joined by position into {} vertices", n_corners,
-                    result.mesh.n_vertices()));
+        fmt::format("STL has no connectivity: {} corners joined by position into {} vertices",
+                    3 * corners.n_triangles(), result.mesh.n_vertices()));
+    if (n_removed > 0)
+        result.notices.push_back(
+            fmt::format("{} triangles whose coordinates are no numbers are left out", n_removed));
     return result;
 }
 

@@ -28,6 +28,12 @@ const char* skip_plus(const char* at, const char* end) {
     return end - at > 1 && *at == '+' && at[1] != '-' ? at + 1 : at;
 }
 
+// As older C libraries of Windows write what is no finite number, behind "1." or "-1.".
+bool is_no_number_of_windows(std::string_view text) {
+    return text.starts_with("#IND") || text.starts_with("#QNAN") || text.starts_with("#SNAN") ||
+           text.starts_with("#INF");
+}
+
 // For messages: long or binary words are cut and made printable.
 std::string shown(std::string_view word) {
     std::string text;
@@ -102,14 +108,22 @@ double TextCursor::number(std::string_view what) {
     if (error == std::errc::result_out_of_range) {
         // Too close to zero for a double is zero, too large is infinite.
         const std::string_view digits(begin, static_cast<std::size_t>(stop - begin));
-        const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
+        const std::size_t exponent = digits.find_first_of("eE"), whole = digits.find_first_not_of("-0");
+        const bool tiny = exponent != digits.npos ? digits[exponent + 1] == '-' : digits[whole] == '.';
         value = tiny ? 0 : std::numeric_limits<double>::infinity();
     } else if (error != std::errc()) {
         fail_at_word("a number", what);
     }
     if (!ends_word(stop, end_)) fail_at_word("a number", what);
     at_ = stop;
-    return value;
+    return is_no_number_of_windows({stop, remaining()}) ? skip_no_number() : value;
+}
+
+// 1.#QNAN0 and the like would be a number and a comment otherwise.
+double TextCursor::skip_no_number() {
+    ++at_;
+    while (!ends_word(at_, end_)) ++at_;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 double TextCursor::coordinate(std::string_view what) {
@@ -127,6 +141,13 @@ std::int64_t TextCursor::integer(std::string_view what, char delimiter) {
         fail_at_word("a whole number", what);
     at_ = stop;
     return value;
+}
+
+std::string_view TextCursor::take(std::size_t size, std::string_view what) {
+    if (size > remaining())
+        fail(fmt::format("the file ends here: {} bytes of {} are missing", size - remaining(), what));
+    at_ += size;
+    return {at_ - size, size};
 }
 
 void TextCursor::fail_at_word(std::string_view expected, std::string_view what) {

@@ -8,13 +8,22 @@
 
 namespace counterpart::io {
 
+/// The text behind the byte order mark that some programs begin UTF-8 with.
+inline std::string_view without_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 /// Walks through a text file held in memory, line by line and word by word, and knows the line it is on.
-/// Lines end with LF, CR LF or CR; a backslash at a line's end continues the line; '#' starts a comment.
+/// A byte order mark before the text is passed over. Lines end with LF, CR LF or CR; a backslash at a line's
+/// end continues the line; '#' starts a comment.
 class TextCursor {
   public:
     /// `name` leads the error messages; `first_line` is the number of the text's first line.
     TextCursor(std::string_view text, std::string name, int first_line = 1)
-        : at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)), line_(first_line) {}
+        : at_(text.data()), end_(text.data() + text.size()), name_(std::move(name)), line_(first_line) {
+        at_ += text.size() - without_mark(text).size();
+    }
 
     /// Moves to the next word, over blank lines and comments; false at the end of the file.
     bool next_content();
@@ -42,6 +51,9 @@ class TextCursor {
     /// x, y or z of a point: a number that is finite.
     double coordinate(std::string_view what);
 
+    /// The next `size` bytes, whatever they are: numbers in binary between lines. Fails if there are fewer.
+    std::string_view take(std::size_t size, std::string_view what);
+
     int line() const { return line_; }
     std::size_t remaining() const { return static_cast<std::size_t>(end_ - at_); }
     /// Throws IoError "name:line: reason".
@@ -50,6 +62,7 @@ class TextCursor {
 
   private:
     void skip_blanks();
+    double skip_no_number();
     [[noreturn]] void fail_at_word(std::string_view expected, std::string_view what);
 
     const char* at_;

@@ -3,9 +3,9 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include <fcntl.h>
@@ -73,16 +73,9 @@ void write_in_place(std::string_view bytes, const fs::path& file) {
     const Descriptor stream(file == "/dev/stdout" ? ::dup(STDOUT_FILENO)
                                                   : ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
     if (!stream.is_open()) fail(file, "cannot be written", errno);
-    if (const int error = write_all(stream, bytes); error != 0) fail(file, "could not be written", error);
-}
-
-// Files under construction are called NAME.PROCESS.NUMBER.part. Their writers hold a lock on them, which ends
-// with the process however it ends: what is not locked is left over.
-bool is_part_of(const std::string& name, const std::string& file_name) {
-    if (!name.starts_with(file_name + '.') || !name.ends_with(".part")) return false;
-    const std::string_view middle = std::string_view(name).substr(file_name.size());
-    return middle.size() > 6 &&
-           middle.substr(0, middle.size() - 5).find_first_not_of("0123456789.") == std::string_view::npos;
+    const int error = write_all(stream, bytes);
+    if (error == EPIPE) throw ClosedPipe(fmt::format("{}: nobody reads it any more", file.string()));
+    if (error != 0) fail(file, "could not be written", error);
 }
 
 bool is_named(const Descriptor& opened, const fs::path& name) {
@@ -91,22 +84,27 @@ bool is_named(const Descriptor& opened, const fs::path& name) {
            file.st_dev == named.st_dev && file.st_ino == named.st_ino;
 }
 
-void remove_left_over_parts(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        if (!is_part_of(entry->path().filename().string(), file.filename().string())) continue;
-        const Descriptor part(::open(entry->path().c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-        if (!part.is_open() || ::flock(part.number(), LOCK_EX | LOCK_NB) != 0) continue;
-        // Its writer may have ended well before it was locked here, and the name be another writer's by now.
-        if (is_named(part, entry->path())) ::unlink(entry->path().c_str());
-    }
+// Files under construction are called NAME.0.part, NAME.1.part, ... Their writers hold a lock on them, which
+// ends with the process however it ends: what is not locked is left over, and whoever writes next takes it.
+// So no folder is ever listed, however many files are in it.
+fs::path part_of(const fs::path& file, int number) {
+    return fmt::format("{}.{}.part", file.string(), number);
+}
+
+// Locked, and so ours: nothing if a writer holds it, or if it is no plain file of this name alone.
+std::optional<Descriptor> locked(Descriptor part, const fs::path& name) {
+    struct stat state = {};
+    // Its writer may have ended before it was locked here, and the name be gone or another file's by now.
+    if (!part.is_open() || ::flock(part.number(), LOCK_EX | LOCK_NB) != 0 || !is_named(part, name) ||
+        ::fstat(part.number(), &state) != 0 || !S_ISREG(state.st_mode) || state.st_nlink != 1)
+        return std::nullopt;
+    return part;
 }
 
 // A new file beside the one to be written, locked; removed with the object unless it takes that one's place.
 class Part {
   public:
-    explicit Part(const fs::path& file) : file_(file), descriptor_(open_new()) {
+    explicit Part(const fs::path& file) : file_(file), descriptor_(open_free()) {
         struct stat before = {};
         if (::stat(file.c_str(), &before) == 0) ::fchmod(descriptor_.number(), before.st_mode & 0777U);
     }
@@ -123,24 +121,46 @@ class Part {
     void take_place() {
         if (::rename(name_.c_str(), file_.c_str()) != 0) fail(file_, "could not be written", errno);
         name_.clear();
+        remove_left_over();
     }
 
   private:
-    Descriptor open_new() {
-        for (int number = 0;; ++number) {
-            name_ = fmt::format("{}.{}.{}.part", file_.string(), ::getpid(), number);
-            Descriptor part(::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-            if (!part.is_open() && errno == EEXIST) continue;
-            if (!part.is_open()) fail(file_, "cannot be written here", errno);
-            // Between opening and locking it looks left over, and another writer may have removed it.
-            const bool taken = ::flock(part.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-            struct stat state = {};
-            if (!taken && ::fstat(part.number(), &state) == 0 && state.st_nlink == 1) return part;
+    static constexpr int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    static constexpr int most_parts = 10'000;  // of writers at one time, and of what is in the way
+
+    Descriptor open_free() {
+        for (number_ = 0; number_ < most_parts; ++number_) {
+            name_ = part_of(file_, number_);
+            Descriptor opened(::open(name_.c_str(), flags | O_CREAT, 0666));
+            const int error = errno;
+            const bool in_the_way = !opened.is_open() && ::access(name_.c_str(), F_OK) == 0;
+            if (!opened.is_open() && !in_the_way && error != ELOOP) {
+                name_.clear();
+                fail(file_, "cannot be written here", error);
+            }
+            if (auto part = locked(std::move(opened), name_)) {
+                if (::ftruncate(part->number(), 0) != 0) fail(file_, "cannot be written here", errno);
+                return *std::move(part);
+            }
+        }
+        name_.clear();
+        fail(file_, "cannot be written here", EBUSY);
+    }
+
+    // Of more writers at once, all killed: they have the next numbers.
+    void remove_left_over() const {
+        for (int number = number_ + 1; number < most_parts; ++number) {
+            const fs::path name = part_of(file_, number);
+            Descriptor opened(::open(name.c_str(), flags));
+            if (!opened.is_open() && errno == ENOENT) return;
+            if (const auto part = locked(std::move(opened), name))
+                ::unlink(name.c_str());  // while it is locked
         }
     }
 
     const fs::path& file_;
-    std::string name_;
+    fs::path name_;
+    int number_ = 0;
     Descriptor descriptor_;
 };
 
@@ -151,7 +171,6 @@ void write_file(std::string_view bytes, const fs::path& file) {
     if (destination.is_stream) return write_in_place(bytes, file);
     if (::access(destination.file.c_str(), W_OK) != 0 && errno != ENOENT)
         fail(file, "cannot be written here", errno);
-    remove_left_over_parts(destination.file);
     Part part(destination.file);
     part.write(bytes);
     part.take_place();

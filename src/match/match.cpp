@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
 #include "match/differences/beyond.hpp"
 #include "match/differences/sure_pairs.hpp"
 #include "match/partial/roles.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
+#include <counterpart/map/left_out.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
@@ -50,8 +52,9 @@ class Matching {
         require_valid(target);
         if (!(options.min_shared >= least_min_shared && options.min_shared <= 1))
             throw InvalidInput(fmt::format("min_shared must be from 0.5 to 1, not {}", options.min_shared));
-        if (options.n_threads < 0)
-            throw InvalidInput(fmt::format("n_threads must be 0 (all) or more, not {}", options.n_threads));
+        if (options.n_threads < 0 || options.n_threads > max_threads)
+            throw InvalidInput(
+                fmt::format("n_threads must be 0 (all) to {}, not {}", max_threads, options.n_threads));
     }
 
     MatchResult automatic() {
@@ -308,6 +311,10 @@ class Matching {
 
     MatchResult finished(MatchMethod method) {
         result_.method = method;
+        result_.target_from_source = without_left_out(result_.target_from_source, source_, target_);
+        if (!source_.left_out.empty() || !target_.left_out.empty())
+            for (Index v = 0; v < source_.n_vertices(); ++v)
+                if (result_.target_from_source[v] == VertexMap::unmatched) result_.confidence[v] = 0;
         if (options_.method == MatchMethod::automatic) result_.reason = std::move(reason_);
         result_.stages = watch_.stages();
         report_progress(progress_, 1);

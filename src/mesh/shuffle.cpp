@@ -83,6 +83,8 @@ AttributedShuffleResult shuffle(const AttributedMesh& content, std::uint64_t see
         }
         for (std::size_t i = 0; i < content.morphs.size(); ++i)
             result.content.morphs[i].displacements.row(place[v]) = content.morphs[i].displacements.row(old);
+        for (std::size_t i = 0; i < content.values.size(); ++i)
+            result.content.values[i].values.row(place[v]) = content.values[i].values.row(old);
     }
     const auto shuffle_corners = [&](CornerAttribute& attribute) {
         if (attribute.corners.rows() == 0) return;

@@ -12,7 +12,8 @@ namespace {
 
 bool has_attributes(const AttributedMesh& content) {
     return content.normals.values.rows() > 0 || !content.texture_coordinates.empty() ||
-           !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty();
+           !content.colors.empty() || content.skin.weights.cols() > 0 || !content.morphs.empty() ||
+           !content.values.empty();
 }
 
 void require_corners(TrianglesView corners, MeshView source, MeshView target) {
@@ -55,12 +56,32 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
     }
     for (std::size_t i = 0; i < target.morphs.size(); ++i)
         result.morphs[i].displacements = target.morphs[i].displacements(vertices, Eigen::all);
+    for (std::size_t i = 0; i < target.values.size(); ++i)
+        result.values[i].values = target.values[i].values(vertices, Eigen::all);
     if (!target.parts.empty()) {
         result.parts.clear();
         for (Eigen::Index t = 0; t < from.rows(); ++t)
             result.parts.push_back(target.parts[static_cast<std::size_t>(from(t, 0) / 3)]);
     }
     return result;
+}
+
+AttributedMesh turned_inside_out(AttributedMesh content) {
+    const auto turn = [](Triangles& corners) {
+        if (corners.rows() > 0) corners.col(1).swap(corners.col(2));
+    };
+    turn(content.mesh.triangles);
+    turn(content.normals.corners);
+    for (CornerAttribute& set : content.texture_coordinates) turn(set.corners);
+    for (CornerAttribute& set : content.colors) turn(set.corners);
+    Polygons& polygons = content.mesh.polygons;
+    turn(polygons.corners);
+    for (Index p = 0; p < polygons.count(); ++p) {
+        const Index begin = polygons.first[static_cast<std::size_t>(p)], size = polygons.size(p);
+        auto corners = polygons.corners.middleRows(polygons.first_triangle(p), size - 2);
+        corners = corners.unaryExpr([&](Index c) { return begin + (size - (c - begin)) % size; }).eval();
+    }
+    return content;
 }
 
 TriangleMesh reorder(MeshView source, MeshView target, const VertexMap& target_from_source) {

@@ -125,6 +125,12 @@ run view a.obj b.obj --map map.txt
 says "the page will be view_2.html"
 cmp -s view.html before && [ -s view_2.html ] || fail "view without -o replaced a page"
 
+# ---- a page that matches by itself says how sure it is, and what came close ----
+run view a.obj fine.obj -o own.html
+grep -q '"confidence of match"' own.html || fail "the page does not show how sure the map is"
+grep -qE '"(turned|mirrored|another [a-z]+)[^"]*: [0-9]+ %' own.html || fail "runner-ups are not named by what they are"
+grep -qE '"evaluation":"(use|check|do not use)' own.html || fail "the page does not say the verdict"
+
 # ---- frames of an earlier run ----
 run morph a.obj b.obj --map map.txt -n 3 -o film -q
 run morph a.obj b.obj --map map.txt -n 1 -o film

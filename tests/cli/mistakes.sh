@@ -71,9 +71,14 @@ fi
 status=0
 { "$program" convert a.obj - -q 2> err || echo $? > status; } | true
 [ ! -e status ] || [ "$(cat status)" = 3 ] || fail "a closed pipe ended convert with $(cat status)"
-echo half > map.txt.1.0.part
+[ ! -s err ] || fail "a closed pipe is worth no message: $(cat err)"
+for shell in bash zsh; do
+  { "$program" manual $shell 2> err || true; "$program" match --help 2>> err || true; } | true
+  [ ! -s err ] || fail "a closed pipe is worth no message: $(cat err)"
+done
+echo half > map.txt.0.part
 run match a.obj b.obj -o map.txt
-[ ! -e map.txt.1.0.part ] || fail "what a killed run left is still there"
+[ ! -e map.txt.0.part ] || fail "what a killed run left is still there"
 
 # ---- options of another method ----
 refuse 1 "--symmetric is an option of --method spectral; --method nearest does not use it" \

@@ -10,6 +10,8 @@
 #include "io/gltf_primitives.hpp"
 #include "io/gltf_store.hpp"
 #include "io/landmark_bytes.hpp"
+#include "io/landmark_formats.hpp"
+#include "io/left_out.hpp"
 #include "io/map_bytes.hpp"
 #include "io/npy_bytes.hpp"
 
@@ -91,7 +93,17 @@ void read_stl_bytes(std::string_view bytes) {
 }
 
 void use_cells(const Cells& cells) {
-    is_valid(mesh_of_cells(cells, name).mesh);
+    AttributedMesh content = content_of_cells(cells, name).content;
+    remove_faces_of_left_out(content);
+    if (is_valid(content.mesh)) {
+        require_consistent(content);
+        const auto require_same_surface = [&](const Cells& again) {
+            const AttributedMesh read = content_of_cells(again, name).content;
+            require(same(read.mesh, content.mesh) && read.values.size() == content.values.size());
+        };
+        require_same_surface(read_vtk(vtk_bytes(content), name));
+        require_same_surface(read_vtp(vtp_bytes(content), name));
+    }
     if (cells.tetrahedra.empty()) return;
     const TetrahedralMesh solid = solid_of_cells(cells, name).mesh;
     const auto require_same = [&](const Cells& again) {
@@ -194,6 +206,25 @@ void read_landmark_bytes(std::string_view bytes) {
     require(parse_landmarks(written, name, square, square) == landmarks);
 }
 
+// The first byte chooses the format; what is written is read again.
+void read_landmark_point_bytes(std::string_view bytes) {
+    using Parse = LandmarkPoints (*)(std::string_view, const std::string&);
+    using Write = std::string (*)(const LandmarkPoints&);
+    constexpr std::array<std::pair<Parse, Write>, 4> formats = {{{parse_slicer_json, slicer_json_bytes},
+                                                                 {parse_fcsv, fcsv_bytes},
+                                                                 {parse_scalismo_json, scalismo_json_bytes},
+                                                                 {parse_landmark_csv, landmark_csv_bytes}}};
+    if (bytes.empty()) return;
+    const auto& [parse, write] = formats[static_cast<unsigned char>(bytes[0]) % formats.size()];
+    LandmarkPoints points = parse(bytes.substr(1), name);
+    if (!points.axes) points.axes = Anatomical::ras;
+    for (Landmark& landmark : points.landmarks) landmark.name = "a";
+    const LandmarkPoints again = parse(write(points), name);
+    require(again.landmarks.size() == points.landmarks.size());
+    for (std::size_t i = 0; i < points.landmarks.size(); ++i)
+        require(again.landmarks[i].point == points.landmarks[i].point);
+}
+
 void read_npy_bytes(std::string_view bytes) {
     const Matrix matrix = parse_npy(bytes, name);
     const std::string written = npy_bytes(matrix);
@@ -215,19 +246,23 @@ void read_or_refused(std::string_view bytes) {
     }
 }
 
-constexpr std::array<Target, 13> readers = {{{"off", read_or_refused<read_off_bytes>},
-                                             {"obj", read_or_refused<read_obj_bytes>},
-                                             {"ply", read_or_refused<read_ply_bytes>},
-                                             {"stl", read_or_refused<read_stl_bytes>},
-                                             {"msh", read_or_refused<read_cells_bytes<read_gmsh>>},
-                                             {"medit", read_or_refused<read_cells_bytes<read_medit>>},
-                                             {"vtk", read_or_refused<read_cells_bytes<read_vtk>>},
-                                             {"ele", read_or_refused<read_ele_bytes>},
-                                             {"gltf", read_or_refused<read_and_write_gltf>},
-                                             {"npy", read_or_refused<read_npy_bytes>},
-                                             {"map", read_or_refused<read_map_bytes>},
-                                             {"surface_map", read_or_refused<read_surface_map_bytes>},
-                                             {"landmarks", read_or_refused<read_landmark_bytes>}}};
+constexpr std::array<Target, 16> readers = {
+    {{"off", read_or_refused<read_off_bytes>},
+     {"obj", read_or_refused<read_obj_bytes>},
+     {"ply", read_or_refused<read_ply_bytes>},
+     {"stl", read_or_refused<read_stl_bytes>},
+     {"msh", read_or_refused<read_cells_bytes<read_gmsh>>},
+     {"medit", read_or_refused<read_cells_bytes<read_medit>>},
+     {"vtk", read_or_refused<read_cells_bytes<read_vtk>>},
+     {"vtp", read_or_refused<read_cells_bytes<read_vtp>>},
+     {"gii", read_or_refused<read_cells_bytes<read_gifti>>},
+     {"ele", read_or_refused<read_ele_bytes>},
+     {"gltf", read_or_refused<read_and_write_gltf>},
+     {"npy", read_or_refused<read_npy_bytes>},
+     {"map", read_or_refused<read_map_bytes>},
+     {"surface_map", read_or_refused<read_surface_map_bytes>},
+     {"landmarks", read_or_refused<read_landmark_bytes>},
+     {"landmark_points", read_or_refused<read_landmark_point_bytes>}}};
 
 }  // namespace
 

@@ -22,7 +22,7 @@ export class Names {
     document.title = `${title} · counterpart`;
   }
 
-  /** Each names the pane of the target that it colors, from left to right. */
+  /** Each names the pane of the target that it colors, from left to right, row by row. */
   showMaps(maps: number[]): void {
     const names = maps.map((map) => {
       const name = document.createElement("div");
@@ -35,11 +35,12 @@ export class Names {
 
   place(stage: Stage): void {
     const place = (name: HTMLElement, pane: number, down: number) => {
-      const { left, top } = stage.rectangle(pane);
-      Object.assign(name.style, { left: `${left + 10}px`, top: `${top + down}px` });
+      const { left, top, width } = stage.rectangle(pane);
+      Object.assign(name.style, { left: `${left + 10}px`, top: `${top + down}px`, maxWidth: `${width - 20}px` });
     };
     place(element("source-name"), 0, 8);
     place(element("target-name"), 1, 8);
-    [...element("map-names").children].forEach((name, i) => place(name as HTMLElement, i + 1, 38));
+    // Below the target's name in its first pane.
+    [...element("map-names").children].forEach((name, i) => place(name as HTMLElement, i + 1, i === 0 ? 38 : 8));
   }
 }

@@ -36,7 +36,7 @@ const fieldOfView = 28;
 const xAxis = new Vector3(1, 0, 0);
 const yAxis = new Vector3(0, 1, 0);
 
-/** Meshes on one canvas: side by side, or stacked if the canvas is taller than wide. */
+/** Meshes on one canvas, in the rows and columns that show them largest. */
 export class Stage {
   readonly views: Record<Side, View> = { source: homeView(), target: homeView() };
   private readonly renderer: WebGLRenderer;
@@ -64,17 +64,26 @@ export class Stage {
     return true;
   }
 
+  private grid(): { columns: number; rows: number } {
+    let [best, columns] = [0, 1];
+    for (let count = this.panes.length; count > 0; --count) {
+      const shorter = Math.min(this.width / count, this.height / Math.ceil(this.panes.length / count));
+      if (shorter > best) [best, columns] = [shorter, count];
+    }
+    return { columns, rows: Math.ceil(this.panes.length / columns) };
+  }
+
   rectangle(pane: number): Rectangle {
-    const count = this.panes.length;
-    const [width, height] = [this.width / count, this.height / count];
-    return this.width >= this.height
-      ? { left: pane * width, top: 0, width, height: this.height }
-      : { left: 0, top: pane * height, width: this.width, height };
+    const { columns, rows } = this.grid();
+    const [width, height] = [this.width / columns, this.height / rows];
+    return { left: (pane % columns) * width, top: Math.floor(pane / columns) * height, width, height };
   }
 
   paneAt(x: number, y: number): number {
-    const share = this.width >= this.height ? x / this.width : y / this.height;
-    return Math.min(Math.max(Math.floor(share * this.panes.length), 0), this.panes.length - 1);
+    const { columns, rows } = this.grid();
+    const place = (share: number, count: number) => Math.min(Math.max(Math.floor(share * count), 0), count - 1);
+    const pane = place(y / this.height, rows) * columns + place(x / this.width, columns);
+    return Math.min(pane, this.panes.length - 1);
   }
 
   viewOf(pane: number): View {

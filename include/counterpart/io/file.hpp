@@ -14,11 +14,18 @@ struct ReadOptions {
     /// Follow what a glTF file names outside its own folder: absolute paths, "..", links that lead out. Off,
     /// such a file is refused, because what it names would become part of what is written.
     bool allow_external = false;
+    /// Refuse what is else left out with a notice: vertices whose coordinates are no numbers.
+    bool strict = false;
 };
 
 /// A file cannot be written: no such folder, no permission, a full disk, a closed pipe.
 struct WriteError : IoError {
     using IoError::IoError;
+};
+
+/// Who was reading has stopped: nothing worth a message, as in `counterpart manual bash | head`.
+struct ClosedPipe : WriteError {
+    using WriteError::WriteError;
 };
 
 /// The extension in lower case, with its dot: ".obj" for "Mesh.OBJ". It decides the format.
@@ -34,7 +41,7 @@ std::string read_whole_file(const std::filesystem::path& file);
 /// permissions of a file that is replaced are kept. Devices and pipes (/dev/stdout, a FIFO) are written in
 /// place. Several threads and processes may write one file: one of them wins. What a writer that was killed
 /// left beside the file is removed. Throws WriteError naming file and reason, also for a file that may not
-/// be written.
+/// be written; of these ClosedPipe for a pipe that nobody reads any more.
 void write_file(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace counterpart

@@ -6,7 +6,9 @@
 #include <counterpart/mesh/attributed_mesh.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace counterpart {
@@ -39,5 +41,8 @@ GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options
 /// for a negative number.
 void write_gltf(const AttributedMesh& content, const std::filesystem::path& file,
                 double frames_per_second = 0);
+
+/// The document of which Document::to_bytes made the bytes. Throws InvalidInput for others. O(size).
+std::shared_ptr<const Document> document_from_bytes(std::string_view bytes);
 
 }  // namespace counterpart

@@ -18,6 +18,7 @@ namespace counterpart {
 struct MeshExtensions {
     std::vector<std::string> read;            ///< that read_mesh takes
     std::vector<std::string> written;         ///< that write_mesh takes
+    std::vector<std::string> read_solids;     ///< that read_tetrahedral_mesh may find tetrahedra in
     std::vector<std::string> written_solids;  ///< that write_tetrahedral_mesh takes
 };
 MeshExtensions mesh_extensions();

@@ -29,12 +29,21 @@ struct MorphTarget {
     Points displacements;  ///< n_vertices x 3, in the mesh's units
 };
 
+/// What was measured at each vertex, or its label.
+struct VertexValues {
+    std::string name;
+    Matrix values;  ///< n_vertices x K
+};
+
 /// What a file holds besides the mesh: materials with their textures, a skeleton, other nodes, animations. A
 /// file format that has such content derives its own kind; no other module looks inside.
 class Document {
   public:
     virtual ~Document() = default;
 
+    /// The document to be kept, whole; document_from_bytes (io/gltf.hpp) makes it again. Files that it names
+    /// beside its own stay where they are.
+    virtual std::string to_bytes() const = 0;
     virtual bool has_materials() const = 0;
     virtual std::shared_ptr<const Document> without_materials() const = 0;
     /// Without skins and animations.
@@ -61,6 +70,7 @@ struct AttributedMesh {
     std::vector<CornerAttribute> colors;               ///< n x 3 or n x 4 values in 0 .. 1 each
     SkinBinding skin;
     std::vector<MorphTarget> morphs;
+    std::vector<VertexValues> values;
     /// For each triangle its part: the index of one of the document's primitives, which have materials;
     /// without a document, any label from 0. Empty: a single part.
     std::vector<Index> parts;

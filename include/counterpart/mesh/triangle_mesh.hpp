@@ -37,6 +37,9 @@ struct TriangleMesh {
     Points vertices;      ///< n_vertices x 3, in the mesh's units
     Triangles triangles;  ///< n_triangles x 3, counter-clockwise seen from outside
     Polygons polygons{};  ///< what the triangles were cut from; empty if nothing was cut
+    /// Vertices whose place is not known, in increasing order: those that a file gives no numbers for. They
+    /// lie where the others do on average, no triangle names them, and match() finds no partner for them.
+    std::vector<Index> left_out{};
 
     Index n_vertices() const { return static_cast<Index>(vertices.rows()); }
     Index n_triangles() const { return static_cast<Index>(triangles.rows()); }
@@ -48,10 +51,13 @@ struct MeshView {
     PointsView vertices;
     TrianglesView triangles;
     const Polygons* polygons = nullptr;  ///< null if there are none
+    std::span<const Index> left_out;     ///< see TriangleMesh
 
     MeshView() = default;
     MeshView(const TriangleMesh& mesh)
-        : MeshView(mesh.vertices, mesh.triangles, mesh.polygons.empty() ? nullptr : &mesh.polygons) {}
+        : MeshView(mesh.vertices, mesh.triangles, mesh.polygons.empty() ? nullptr : &mesh.polygons) {
+        left_out = mesh.left_out;
+    }
     MeshView(PointsView vertex_rows, TrianglesView triangle_rows, const Polygons* faces = nullptr)
         : vertices(vertex_rows), triangles(triangle_rows), polygons(faces) {}
 

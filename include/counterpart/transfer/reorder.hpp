@@ -20,4 +20,9 @@ TriangleMesh reorder(MeshView source, MeshView target, const VertexMap& target_f
 AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& target,
                        const VertexMap& target_from_source, TrianglesView target_corner_from_source);
 
+/// The mesh with every face wound the other way round, from the same first corner: a mirror image in the
+/// order of its original (ExactResult::mirrored) is inside out until it is turned. Attributes stay at their
+/// vertices, normals as they are. O(F).
+AttributedMesh turned_inside_out(AttributedMesh content);
+
 }  // namespace counterpart

@@ -30,6 +30,7 @@ TEST(Parallel, EveryItemOnceForAnyNumberOfThreads) {
         EXPECT_EQ(visits, std::vector<int>(1000, 1));
     }
     EXPECT_THROW(with_threads(-1, [] {}), InvalidInput);
+    EXPECT_THROW(with_threads(1'000'000'000, [] {}), InvalidInput);  // each would have a place in memory
 }
 
 // Each item waits for all others: that ends soon only if each has a thread of its own.

@@ -83,13 +83,10 @@ TEST(AttributedMeshFile, ObjCornersKeepTheirSeams) {
 
 TEST(AttributedMeshFile, ObjSaysWhatIsWrong) {
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
-    for (const auto& [face, message] : std::vector<std::pair<std::string, std::string>>{
-             {"f 1/0 2/1 3/1\n", "6: '0' is no number"},
-             {"f 1/-2 2/1 3/1\n", "6: '-2' is no number"},
-             {"f 1/x 2/1 3/1\n", "6: 'x' is no number"},
-             {"f 1/2 2/1 3/1\n", "names texture coordinate 2, but the file has only 1"},
-             {"f 1//7 2//1 3//1\n", "names normal 7, but the file has only 1"},
-             {"vt nan 0\nf 1 2 3\n", "6: "}}) {
+    for (const auto& [face, message] :
+         std::vector<std::pair<std::string, std::string>>{{"f 1/0 2/1 3/1\n", "6: '0' is no number"},
+                                                          {"f 1/x 2/1 3/1\n", "6: 'x' is no number"},
+                                                          {"vt nan 0\nf 1 2 3\n", "6: "}}) {
         try {
             read_attributed(vertices + face, "a.obj");
             ADD_FAILURE() << face;

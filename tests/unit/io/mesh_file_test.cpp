@@ -79,8 +79,8 @@ TEST(MeshFile, RefusesWhatHasNoFormatOrIsNotThere) {
 TEST(MeshFile, EveryExtensionThatIsListedIsWrittenAndRead) {
     const TemporaryFolder folder;
     const MeshExtensions extensions = mesh_extensions();
-    EXPECT_EQ(extensions.read.size(), 12U);
-    EXPECT_EQ(extensions.written.size(), 6U);
+    EXPECT_EQ(extensions.read.size(), 14U);
+    EXPECT_EQ(extensions.written.size(), 8U);
     EXPECT_EQ(extensions.written_solids.size(), 3U);
     const TriangleMesh surface = make_icosphere(1);
     const TetrahedralMesh solid{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, Tetrahedra{{0, 1, 2, 3}}};
@@ -101,7 +101,7 @@ TEST(MeshFile, AnExtensionThatIsNotOneIsAnsweredWithThoseThatAre) {
     test::expect_error<IoError>([&] { read_mesh(folder.file("a.fbx", "")); },
                                 ".off, .obj, .ply, .stl, .glb, .gltf, .msh");
     test::expect_error<IoError>([&] { write_mesh(make_icosphere(0), folder / "a.msh"); },
-                                ".stl, .glb, .gltf, which tells");
+                                ".gltf, .vtk, .vtp, which tells");
 }
 
 TEST(MeshFile, DoesNotWriteWhatItWouldNotRead) {

@@ -43,7 +43,7 @@ TEST_F(ShapeFile, IsReadAsItWasWritten) {
 }
 
 TEST_F(ShapeFile, CacheKeepsWhatItGives) {
-    EXPECT_EQ(cached_spectral_shape(cache, mesh, options).to_bytes(), expected);
+    EXPECT_EQ(cached_spectral_shape(cache, mesh, options).shape.to_bytes(), expected);
     ASSERT_EQ(files().size(), 1U);
     // What is there is what is used: another shape put in its place comes back.
     const fs::path file = files().front();
@@ -51,7 +51,7 @@ TEST_F(ShapeFile, CacheKeepsWhatItGives) {
     ASSERT_TRUE(kept.ends_with(expected));
     const std::string other = SpectralShape(make_icosphere(1), options).to_bytes();
     write_file(kept.substr(0, kept.size() - expected.size()) + other, file);
-    EXPECT_EQ(cached_spectral_shape(cache, mesh, options).to_bytes(), other);
+    EXPECT_EQ(cached_spectral_shape(cache, mesh, options).shape.to_bytes(), other);
 }
 
 TEST_F(ShapeFile, CacheTellsMeshesAndOptionsApart) {
@@ -76,7 +76,7 @@ TEST_F(ShapeFile, CacheReplacesDamagedFiles) {
     for (const std::string& damaged :
          {std::string(), std::string("OFF\n"), whole.substr(0, whole.size() / 2)}) {
         write_file(damaged, file);
-        EXPECT_EQ(cached_spectral_shape(cache, mesh, options).to_bytes(), expected);
+        EXPECT_EQ(cached_spectral_shape(cache, mesh, options).shape.to_bytes(), expected);
         EXPECT_EQ(read_whole_file(file), whole);
     }
 }
@@ -85,9 +85,20 @@ TEST_F(ShapeFile, SeveralThreadsShareOneFolder) {
     std::vector<std::thread> callers;
     for (int i = 0; i < 4; ++i)
         callers.emplace_back(
-            [&] { EXPECT_EQ(cached_spectral_shape(cache, mesh, options).to_bytes(), expected); });
+            [&] { EXPECT_EQ(cached_spectral_shape(cache, mesh, options).shape.to_bytes(), expected); });
     for (std::thread& caller : callers) caller.join();
     EXPECT_EQ(files().size(), 1U);
+}
+
+TEST_F(ShapeFile, WhatCannotBeKeptIsUsedWithAWarning) {
+    EXPECT_TRUE(cached_spectral_shape(cache, mesh, options).warning.empty());
+    const fs::path file = files().front();
+    fs::remove(file);
+    fs::create_directory(file);  // in the way of what would be kept
+    const CachedShape found = cached_spectral_shape(cache, mesh, options);
+    EXPECT_EQ(found.shape.to_bytes(), expected);
+    EXPECT_TRUE(found.warning.starts_with("the prepared shape is used, but not kept: " + file.string()))
+        << found.warning;
 }
 
 TEST_F(ShapeFile, NamesAFolderThatIsNone) {

@@ -35,6 +35,11 @@ TEST(TriangleMesh, RequireValidRefusesWhatIsTooLargeToCount) {
     mesh.triangles.resize(Eigen::Index{max_triangles} + 1, 3);
     test::expect_error<InvalidInput>([&] { require_valid(mesh); },
                                      "has 268435457 triangles; at most 268435456 are supported");
+    const Points one = Points::Zero(1, 3);
+    const Triangles triangle = Triangles::Zero(1, 3);
+    const MeshView many(PointsView(one.data(), Eigen::Index{1} << 31U, 3), triangle);
+    test::expect_error<InvalidInput>([&] { require_valid(many); },
+                                     "has 2147483648 vertices; at most 2147483647 are supported");
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "io/landmark_formats.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/file.hpp>
+#include <counterpart/io/landmark_points.hpp>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+
+using namespace io;
+
+namespace {
+
+struct LandmarkFormat {
+    std::string_view extension;
+    LandmarkPoints (*parse)(std::string_view bytes, const std::string& name) = nullptr;
+    std::string (*bytes)(const LandmarkPoints& points) = nullptr;
+    bool says_axes = false, is_table = false;
+};
+
+// The longer extension first.
+constexpr std::array<LandmarkFormat, 5> landmark_formats = {
+    {{".mrk.json", parse_slicer_json, slicer_json_bytes, true, false},
+     {".fcsv", parse_fcsv, fcsv_bytes, true, true},
+     {".json", parse_scalismo_json, scalismo_json_bytes, false, false},
+     {".csv", parse_landmark_csv, landmark_csv_bytes, false, true},
+     {".tps", nullptr, tps_bytes, false, false}}};
+
+const LandmarkFormat& landmark_format_of(const std::filesystem::path& file) {
+    std::string name = file.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    for (const LandmarkFormat& format : landmark_formats)
+        if (name.ends_with(format.extension)) return format;
+    throw IoError(
+        fmt::format("{}: the name of landmarks must end in .mrk.json, .fcsv, .json, .csv or, to be "
+                    "written, .tps, which tells the format",
+                    file.string()));
+}
+
+void turn(LandmarkPoints& points, Anatomical axes) {
+    if (points.axes == axes) return;
+    for (Landmark& landmark : points.landmarks) landmark.point.head<2>() *= -1;
+    points.axes = axes;
+}
+
+std::map<std::string, Eigen::RowVector3d> by_name(const LandmarkPoints& points, const char* side) {
+    std::map<std::string, Eigen::RowVector3d> found;
+    for (const Landmark& landmark : points.landmarks)
+        if (!found.emplace(landmark.name, landmark.point).second)
+            throw InvalidInput(fmt::format("the {} has two landmarks '{}'", side, landmark.name));
+    return found;
+}
+
+Index vertex_nearest_to(const Eigen::RowVector3d& point, MeshView mesh) {
+    Eigen::Index nearest = 0;
+    (mesh.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<Index>(nearest);
+}
+
+}  // namespace
+
+std::string to_string(Anatomical axes) { return axes == Anatomical::lps ? "LPS" : "RAS"; }
+
+LandmarkPoints read_landmark_points(const std::filesystem::path& file, std::optional<Anatomical> axes) {
+    const LandmarkFormat& format = landmark_format_of(file);
+    if (format.parse == nullptr) throw IoError(fmt::format("{}: TPS is written, not read", file.string()));
+    LandmarkPoints points = format.parse(read_whole_file(file), file.string());
+    if (points.landmarks.empty()) throw IoError(fmt::format("{}: there are no landmarks", file.string()));
+    if (!axes) return points;
+    if (!points.axes)
+        throw IoError(
+            fmt::format("{}: the file does not say whether its points are LPS or RAS, so they cannot "
+                        "be turned to {}",
+                        file.string(), to_string(*axes)));
+    turn(points, *axes);
+    return points;
+}
+
+void write_landmark_points(const LandmarkPoints& points, const std::filesystem::path& file) {
+    const LandmarkFormat& format = landmark_format_of(file);
+    const auto require = [&](bool holds, const std::string& reason) {
+        if (!holds) throw IoError(fmt::format("{}: not written: {}", file.string(), reason));
+    };
+    require(!format.says_axes || points.axes, "the format says LPS or RAS, and which it is was not given");
+    for (const Landmark& landmark : points.landmarks) {
+        require(landmark.point.allFinite(),
+                fmt::format("landmark '{}' has a coordinate that is not finite", landmark.name));
+        require(!format.is_table || landmark.name.find_first_of(",;\"\r\n#") == std::string::npos,
+                fmt::format("the name '{}' has characters that the format cannot hold", landmark.name));
+    }
+    write_file(format.bytes(points), file);
+}
+
+std::vector<std::pair<Index, Index>> landmark_pairs(const LandmarkPoints& source_points, MeshView source,
+                                                    const LandmarkPoints& target_points, MeshView target) {
+    require_valid(source);
+    require_valid(target);
+    by_name(source_points, "source");
+    const std::map<std::string, Eigen::RowVector3d> goals = by_name(target_points, "target");
+    std::vector<std::pair<Index, Index>> pairs;
+    for (const Landmark& landmark : source_points.landmarks)
+        if (const auto goal = goals.find(landmark.name); goal != goals.end())
+            pairs.emplace_back(vertex_nearest_to(landmark.point, source),
+                               vertex_nearest_to(goal->second, target));
+    if (pairs.empty()) throw InvalidInput("no landmark of the source has the name of one of the target");
+    return pairs;
+}
+
+}  // namespace counterpart
