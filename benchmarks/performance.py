@@ -29,7 +29,7 @@ def measured(arguments):
 
 
 def print_table(rows):
-    stages = ["read", "prepare", "candidates", "selection", "final choice", "refinement", "lift", "write"]
+    stages = ["read", "prepare", "proposals", "race", "moves", "polish", "lift", "write"]
     print("|", " | ".join(["vertices", "seconds", "MiB", "error", *stages]), "|")
     print("|---" * (4 + len(stages)) + "|")
     for row in rows:

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "align/elastic_surface.hpp"
 
-#include "align/local_similarities.hpp"
 #include "numerics/nearest_neighbors.hpp"
-#include "numerics/sparse_cholesky.hpp"
 
-#include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/adjacency.hpp>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 namespace counterpart::align {
 namespace {
@@ -73,7 +68,6 @@ SparseMatrix stiffness_of(MeshView mesh) {
         }
     }
     add_links(mesh, entries);
-    for (Index v = 0; v < mesh.n_vertices(); ++v) entries.emplace_back(v, v, anchor);
     SparseMatrix matrix(mesh.n_vertices(), mesh.n_vertices());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
@@ -81,39 +75,17 @@ SparseMatrix stiffness_of(MeshView mesh) {
 
 }  // namespace
 
-struct ElasticSurface::System {
-    Points rest;
-    SparseMatrix stiffness;
-    numerics::SparseCholesky factor;
-    std::vector<LocalSimilarity> similarities;  // followed from call to call
-};
-
-ElasticSurface::ElasticSurface(MeshView rest) : system_(std::make_unique<System>()) {
-    system_->rest = rest.vertices;
-    system_->stiffness = stiffness_of(rest);
-    system_->factor = numerics::SparseCholesky(system_->stiffness);
-}
-
-ElasticSurface::~ElasticSurface() = default;
+ElasticSurface::ElasticSurface(MeshView rest)
+    : fit_(rest.vertices, stiffness_of(rest), {.scales = scale_bounds}) {}
 
 Points ElasticSurface::drawn(PointsView towards, const Vector& pull, PointsView start, int rounds,
                              const std::vector<char>& spoiled) {
-    SparseMatrix sum = system_->stiffness;
-    for (Eigen::Index v = 0; v < pull.size(); ++v) sum.coeffRef(v, v) += pull[v];
-    if (!system_->factor.factorize(sum)) throw NumericalError("fit: the elastic system cannot be factorized");
-    Points pulled = anchor * start;
+    // What nothing else holds stays where it is.
+    const Vector held = pull.array() + anchor;
+    Points goal = start;
     for (Eigen::Index v = 0; v < pull.size(); ++v)
-        if (pull[v] > 0) pulled.row(v) += pull[v] * towards.row(v);
-    Points now = start;
-    for (int round = 0; round < rounds; ++round) {
-        system_->similarities = local_similarities(system_->stiffness, system_->rest, now, scale_bounds,
-                                                   std::move(system_->similarities));
-        if (!spoiled.empty()) continue_inward(system_->stiffness, spoiled, system_->similarities);
-        const Points right =
-            pulled + moved_differences(system_->stiffness, system_->rest, system_->similarities);
-        now = system_->factor.solve(right);
-    }
-    return now;
+        if (pull[v] > 0) goal.row(v) = (pull[v] * towards.row(v) + anchor * start.row(v)) / held[v];
+    return fit_(goal, held, start, rounds, {}, spoiled);
 }
 
 }  // namespace counterpart::align

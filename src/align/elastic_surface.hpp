@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "align/elastic_fit.hpp"
+
 #include <counterpart/mesh/triangle_mesh.hpp>
 
-#include <memory>
 #include <vector>
 
 namespace counterpart::align {
@@ -14,7 +15,6 @@ namespace counterpart::align {
 class ElasticSurface {
   public:
     explicit ElasticSurface(MeshView rest);
-    ~ElasticSurface();
 
     /// Lowers sum w_ij |(x_i - x_j) - s_i R_i (rest_i - rest_j)|^2 + pull_i |x_i - towards_i|^2 in `rounds`
     /// alternations of similarities and positions, from x = `start`; w are cotangent weights. A pull of
@@ -25,8 +25,7 @@ class ElasticSurface {
                  const std::vector<char>& spoiled = {});
 
   private:
-    struct System;
-    std::unique_ptr<System> system_;
+    ElasticFit fit_;
 };
 
 }  // namespace counterpart::align

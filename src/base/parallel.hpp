@@ -109,14 +109,17 @@ void parallel_for(std::size_t count, std::size_t grain, const Progress& progress
     }
 }
 
-/// body(scratch, i), with one scratch object per thread, made by `make`.
+/// body(scratch, i), with one scratch object per thread, made by `make`. Bodies may have loops of their own:
+/// none is entered while another one has its scratch.
 template <class Make, class Body>
 void parallel_for_with(std::size_t count, std::size_t grain, const Make& make, const Body& body) {
     using Scratch = decltype(make());
     threads::PerThread<Scratch> scratch(make);
     parallel_for_pieces(count, grain, [&](std::size_t begin, std::size_t end) {
-        Scratch& mine = scratch.local();
-        for (std::size_t i = begin; i != end; ++i) body(mine, i);
+        threads::isolated([&] {
+            Scratch& mine = scratch.local();
+            for (std::size_t i = begin; i != end; ++i) body(mine, i);
+        });
     });
 }
 

@@ -72,6 +72,12 @@ void invoke(const First& first, const Second& second) {
     for_pieces(2, 1, [&](std::size_t i, std::size_t) { i == 0 ? first() : second(); });
 }
 
+/// work(): no thread here takes up another's.
+template <class Work>
+void isolated(const Work& work) {
+    work();
+}
+
 /// One scratch object for each thread that asks.
 template <class Scratch>
 class PerThread {

@@ -39,6 +39,9 @@ class ProgressRange {
                     static_cast<double>(i + 1) / static_cast<double>(count));
     }
 
+    /// The same work, of which nothing is reported: for parts that run beside each other.
+    ProgressRange unheard() const { return part(0, 0); }
+
     /// Throws Canceled once the caller wants to stop.
     void check() const {
         if (state_ != nullptr && state_->canceled) throw Canceled();

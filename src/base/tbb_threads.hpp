@@ -42,6 +42,12 @@ void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
                       [&](const auto& range) { run(range.begin(), range.end()); });
 }
 
+/// work(), during which this thread takes up nothing from outside of it while it waits for what is inside.
+template <class Work>
+void isolated(const Work& work) {
+    tbb::this_task_arena::isolate(work);
+}
+
 template <class Scratch>
 using PerThread = tbb::enumerable_thread_specific<Scratch>;
 

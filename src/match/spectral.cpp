@@ -51,6 +51,11 @@ void require_valid(const SpectralOptions& options, std::size_t n_source, std::si
             throw InvalidInput(
                 fmt::format("the pair ({}, {}) is both a landmark and excluded", pair.first, pair.second));
     }
+    if (options.initial && (static_cast<std::size_t>(options.initial->source_size()) != n_source ||
+                            static_cast<std::size_t>(options.initial->target_size()) != n_target))
+        throw InvalidInput(
+            fmt::format("the initial map goes from {} to {} vertices, but the meshes have {} and {}",
+                        options.initial->source_size(), options.initial->target_size(), n_source, n_target));
     if (!options.up.allFinite() || !options.facing.allFinite())
         throw InvalidInput("the directions up and facing must be finite");
     if (options.aligned && options.symmetric)

@@ -127,7 +127,7 @@ refuse 1 "several maps" render body.off pose.off --map map.txt --map other_1.txt
 python3 - << 'END'
 import json
 r = json.load(open("report.json"))
-assert set(r["stage_seconds"]) >= {"prepare", "candidates", "selection", "refinement"}, r["stage_seconds"]
+assert set(r["stage_seconds"]) >= {"prepare", "proposals", "race", "polish"}, r["stage_seconds"]
 d = r["details"]
 assert len(d["alternatives"]) <= 2 and all("score" in a and a["description"] for a in d["alternatives"]), d
 m, i = (list(map(int, open(f).read().split())) for f in ("map.txt", "inverse.txt"))

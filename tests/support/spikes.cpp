@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace counterpart::test {
 
@@ -32,6 +33,18 @@ std::vector<Index> nearest_vertices(const Points& from, const Points& to) {
     std::vector<Index> result;
     for (Eigen::Index v = 0; v < from.rows(); ++v) result.push_back(search.closest(from.row(v)).index);
     return result;
+}
+
+std::vector<Index> staying(const TriangleMesh& spikes) {
+    std::vector<Index> map(static_cast<std::size_t>(spikes.n_vertices()));
+    std::iota(map.begin(), map.end(), 0);
+    return map;
+}
+
+std::vector<Index> exchanged(const TriangleMesh& spikes) {
+    Points mirrored = spikes.vertices;
+    mirrored.col(1) *= -1;
+    return nearest_vertices(mirrored, spikes.vertices);
 }
 
 TriangleMesh horseshoe(int n_subdivisions) {

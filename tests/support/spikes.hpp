@@ -20,6 +20,11 @@ TriangleMesh with_longer_spike(TriangleMesh spikes);
 /// spikes.
 std::vector<Index> nearest_vertices(const Points& from, const Points& to);
 
+/// Maps of that body, however it is scaled, to itself: each vertex stays; each goes to the vertex nearest to
+/// its mirror image in y, so that the spikes along +y and -y are exchanged.
+std::vector<Index> staying(const TriangleMesh& spikes);
+std::vector<Index> exchanged(const TriangleMesh& spikes);
+
 /// A tube of radius up to 0.25 bent around the z axis at distance 1, almost to a ring: its two ends, at -x,
 /// face each other 0.04 apart.
 TriangleMesh horseshoe(int n_subdivisions = 4);

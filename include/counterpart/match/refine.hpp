@@ -12,23 +12,23 @@
 namespace counterpart {
 
 struct RefineOptions {
-    int basis_size = 150;  ///< Laplace-Beltrami eigenfunctions in the last step, at least 2
+    int basis_size = 200;  ///< Laplace-Beltrami eigenfunctions, 30 .. 500
     int n_threads = 0;     ///< 0 = all; does not change the result
     Progress progress{};   ///< see base/progress.hpp
 };
 
 struct RefineResult {
     VertexMap target_from_source, source_from_target;  ///< every vertex is matched
-    /// Per source vertex, in [0, 1]: 1 where the way there and back ends where it began, 0 from three mean
-    /// edge lengths off.
-    Vector confidence;
+    Vector confidence;                                 ///< per source vertex, in [0, 1]: see SpectralResult
+    double score = 0;  ///< of the map, at least that of the given one: see SpectralResult
     Index n_kept = 0;  ///< source vertices whose image stayed
     std::vector<StageTime> stages;
 };
 
-/// A map that is known roughly, refined in both directions by ZoomOut (see spectral/zoom_out.hpp). Unmatched
-/// vertices are completed first (see map/complete.hpp). Throws InvalidInput for a map between other meshes or
-/// one that matches nothing, and what eigen_basis throws; Canceled. O(V_source V_target basis_size).
+/// A map that is known roughly (drawn by hand, composed of others), refined in both directions by the last
+/// stage of match_spectral, whose score never falls. Unmatched vertices are completed first (see
+/// map/complete.hpp). Throws InvalidInput for a map between other meshes or one that matches nothing, and
+/// what match_spectral throws; Canceled. Costs as match_spectral, of which the search is left out.
 RefineResult refine_map(const SurfaceMap& target_from_source, MeshView source, MeshView target,
                         const RefineOptions& options = {});
 /// The same of a map to vertices.

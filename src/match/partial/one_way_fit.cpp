@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/one_way_fit.hpp"
 
+#include "align/elastic_fit.hpp"
 #include "base/parallel.hpp"
-#include "match/spectral/elastic_fit.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -86,9 +86,8 @@ OneWayFit::State OneWayFit::start_state(FitStart start) const {
 }
 
 BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) const {
-    spectral_match::RefinementTuning rigid;
-    rigid.min_scale = rigid.max_scale = 1;  // the common unit is known: parts of one surface keep their size
-    spectral_match::ElasticFit fit(source_.mesh.vertices, laplacian_, rigid);
+    // The common unit is known: parts of one surface keep their size.
+    align::ElasticFit fit(source_.mesh.vertices, laplacian_.stiffness, {.scales = {1, 1}, .settled = 1e-4});
     State state = start_state(std::move(start));
     BentSource& bent = state.bent;
     const double ratio =
@@ -97,8 +96,8 @@ BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) 
     for (int round = 0; round < tuning_.n_rounds; ++round, length *= ratio) {
         const Points towards = target_.mesh.vertices(bent.image, Eigen::all);
         bent.positions =
-            fit(towards, bent.positions, length,
-                round == 0 ? tuning_.n_first_iterations : tuning_.n_iterations, progress, state.trust);
+            fit(towards, state.trust.cwiseProduct(laplacian_.mass) / (length * length), bent.positions,
+                round == 0 ? tuning_.n_first_iterations : tuning_.n_iterations, progress);
         bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
         parallel_for(bent.image.size(), 64, [&](std::size_t v) {
             const auto row = static_cast<Eigen::Index>(v);

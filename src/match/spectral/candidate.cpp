@@ -9,15 +9,6 @@ namespace counterpart::spectral_match {
 
 PairedMaps reversed(PairedMaps maps) { return {std::move(maps.a_from_b), std::move(maps.b_from_a)}; }
 
-Candidate reversed(Candidate map) {
-    map.maps = reversed(std::move(map.maps));
-    map.on_vertices = reversed(std::move(map.on_vertices));
-    std::swap(map.functional.a_from_b, map.functional.b_from_a);
-    for (auto& [i, j] : map.guides) std::swap(i, j);
-    std::sort(map.guides.begin(), map.guides.end());
-    return map;
-}
-
 PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices) {
     const auto between = [](const PreparedShape& from, const PreparedShape& to,
                             const std::vector<Index>& map) {
@@ -64,46 +55,32 @@ double MapDistance::on_b(Index sample, Index other) const {
 }
 
 double MapDistance::share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const {
-    std::size_t count = 0;
-    for (std::size_t s = 0; s < x.b_from_a.size(); ++s) {
-        const Index i = nearest_b_[static_cast<std::size_t>(x.b_from_a[s])];
-        const Index j = nearest_b_[static_cast<std::size_t>(y.b_from_a[s])];
-        if (b_.sample_distances(i, b_.samples[static_cast<std::size_t>(j)]) > distance) ++count;
-    }
-    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(x.b_from_a.size(), 1));
+    const auto share = [&](const PreparedShape& to, const std::vector<Index>& nearest,
+                           const std::vector<Index>& f, const std::vector<Index>& g) {
+        std::size_t count = 0;
+        for (std::size_t s = 0; s < f.size(); ++s)
+            if (to.sample_distances(nearest[at(f[s])], to.samples[at(nearest[at(g[s])])]) > distance) ++count;
+        return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(f.size(), 1));
+    };
+    return (share(b_, nearest_b_, x.b_from_a, y.b_from_a) + share(a_, nearest_a_, x.a_from_b, y.a_from_b)) /
+           2;
 }
 
-std::vector<Index> tips_of_a(const SampledPair& pair) {
+bool MapDistance::are_distinct(const PairedMaps& x, const PairedMaps& y, const Distinctness& distinct) const {
+    return (*this)(x, y) >= distinct.mean || share_beyond(x, y, distinct.moved) >= distinct.moved_share;
+}
+
+std::vector<Index> samples_of_extremities(const PreparedShape& shape, Index n) {
     std::vector<Index> result;
-    for (Eigen::Index e = 0; e < pair.a.extremity_distances.rows(); ++e) {
+    for (Eigen::Index e = 0; e < shape.extremity_distances.rows(); ++e) {
         Index nearest = 0;
-        for (Index s = 1; s < pair.points_a.size(); ++s)
-            if (pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(s)]) <
-                pair.a.extremity_distances(e, pair.a.samples[static_cast<std::size_t>(nearest)]))
+        for (Index s = 1; s < n; ++s)
+            if (shape.extremity_distances(e, shape.samples[at(s)]) <
+                shape.extremity_distances(e, shape.samples[at(nearest)]))
                 nearest = s;
         result.push_back(nearest);
     }
     return result;
-}
-
-void sort_by_score(std::vector<Candidate>& candidates) {
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.scores.total > y.scores.total; });
-}
-
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance,
-                   const Distinctness& distinct, std::size_t count) {
-    sort_by_score(candidates);
-    std::vector<Candidate> kept;
-    for (Candidate& candidate : candidates) {
-        if (kept.size() == count) break;
-        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Candidate& other) {
-            return distance(candidate.maps, other.maps) >= distinct.mean ||
-                   distance.share_beyond(candidate.maps, other.maps, distinct.moved) >= distinct.moved_share;
-        });
-        if (is_new) kept.push_back(std::move(candidate));
-    }
-    candidates = std::move(kept);
 }
 
 }  // namespace counterpart::spectral_match

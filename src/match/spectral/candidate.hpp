@@ -2,33 +2,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/extremity_matching.hpp"
-#include "match/spectral/half_turn_cues.hpp"
 #include "match/spectral/scores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace counterpart::spectral_match {
 
-/// A map under consideration, between the first n samples of either shape.
+/// A map proposed between the first n samples of either shape.
 struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    PairedMaps on_vertices;      // empty before stage 4
-    Cues cues;                   // of stage 4
-    double refined_score = 0;    // equation 7, of the last refinement
-    bool was_flipped = false;    // its sign flips have been tried
-    bool was_tried = false;      // refined briefly in stage 4: only such can win
-    bool was_rematched = false;  // found by another matching of extremities
-    // In refinement:
-    bool both_pull = false;         // the other map pulls at the surface as well
-    bool follows_landmarks = true;  // what surrounds landmarks follows them
-    bool guided_by_priors = false;  // landmarks are guides too, heights along common directions agree
-    ExtremityPairs guides;          // what is between them follows them
+    bool was_flipped = false;  // its sign flips have been tried
+
+    double rank() const {
+        return std::isnan(scores.total) ? -std::numeric_limits<double>::infinity() : scores.total;
+    }
 };
 
 /// The same with A and B exchanged.
 PairedMaps reversed(PairedMaps maps);
-Candidate reversed(Candidate map);
 
 /// Between the samples nearest to vertices and to their images.
 PairedMaps between_samples(const SampledPair& all, const PairedMaps& on_vertices);
@@ -41,8 +36,9 @@ class MapDistance {
     double operator()(const PairedMaps& x, const PairedMaps& y) const;
     /// Distance on B between two of its samples.
     double on_b(Index sample, Index other) const;
-    /// Share of the samples of A whose images are farther apart than `distance`.
+    /// Share of the samples whose images are farther apart than `distance`, the mean of both directions.
     double share_beyond(const PairedMaps& x, const PairedMaps& y, double distance) const;
+    bool are_distinct(const PairedMaps& x, const PairedMaps& y, const Distinctness& distinct) const;
 
   private:
     const PreparedShape& a_;
@@ -50,13 +46,31 @@ class MapDistance {
     std::vector<Index> nearest_a_, nearest_b_;  // distance sample of each sample
 };
 
-/// The sample of A nearest to each of its extremities.
-std::vector<Index> tips_of_a(const SampledPair& pair);
+/// The sample, of the first `n`, nearest to each extremity of a shape.
+std::vector<Index> samples_of_extremities(const PreparedShape& shape, Index n);
 
-void sort_by_score(std::vector<Candidate>& candidates);
+/// Best first; of equals the one that was first.
+template <class Ranked>
+void sort_by_rank(std::vector<Ranked>& maps) {
+    std::stable_sort(maps.begin(), maps.end(),
+                     [](const Ranked& x, const Ranked& y) { return x.rank() > y.rank(); });
+}
 
-/// Sorts by score and keeps the best `count` that are distinct.
-void keep_distinct(std::vector<Candidate>& candidates, const MapDistance& distance,
-                   const Distinctness& distinct, std::size_t count);
+/// Sorts and keeps the best `count` that are distinct; returns the others, best first.
+template <class Ranked>
+std::vector<Ranked> keep_distinct(std::vector<Ranked>& maps, const MapDistance& distance,
+                                  const Distinctness& distinct, std::size_t count) {
+    sort_by_rank(maps);
+    std::vector<Ranked> kept, others;
+    for (Ranked& map : maps) {
+        const bool is_new =
+            kept.size() < count && std::all_of(kept.begin(), kept.end(), [&](const Ranked& other) {
+                return distance.are_distinct(map.maps, other.maps, distinct);
+            });
+        (is_new ? kept : others).push_back(std::move(map));
+    }
+    maps = std::move(kept);
+    return others;
+}
 
 }  // namespace counterpart::spectral_match

@@ -10,7 +10,6 @@
 #include <counterpart/spectral/functional_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -69,14 +68,14 @@ class CandidateSearch {
     void add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain);
     void add_reoriented();
     void add_extrinsic();
-    void add_flipped();
+    void add_flipped(std::size_t n_flipped);
     std::vector<Candidate> best(std::size_t count);
 
   private:
     Beginning begin(const PairedFunctionalMaps& start) const;
     Candidate grow(Beginning beginning) const;
     void add_grown(std::vector<Beginning> beginnings);
-    std::vector<Beginning> flips();
+    std::vector<Beginning> flips(std::size_t n_flipped);
     std::vector<Beginning> unknown(std::vector<Beginning> beginnings);
 
     const SampledPair& pair_;
@@ -113,6 +112,24 @@ void CandidateSearch::add_grown(std::vector<Beginning> beginnings) {
                  [&](std::size_t i) { candidates_[n_before + i] = grow(std::move(beginnings[i])); });
 }
 
+// In either direction, so that exchanging the shapes changes nothing.
+PairedFunctionalMaps fitted_both_ways(const PreparedShape& a, const PreparedShape& b,
+                                      const KnownFunctions& known) {
+    const Vector &on_a = a.basis.eigenvalues, &on_b = b.basis.eigenvalues;
+    return {fit_functional_map(known.on_a, on_a, known.on_b, on_b).cast<float>(),
+            fit_functional_map(known.on_b, on_b, known.on_a, on_a).cast<float>()};
+}
+
+// Likewise, oriented.
+PairedFunctionalMaps fitted_both_ways(const PreparedShape& a, const PreparedShape& b,
+                                      const KnownFunctions& known, const CandidateTuning& tuning) {
+    const auto fit = [&](const PreparedShape& x, const PreparedShape& y, const KnownFunctions& both) {
+        return MatrixF(
+            fit_oriented(x, y, both, tuning.orientation_weight, tuning.orientation_heat_time).cast<float>());
+    };
+    return {fit(a, b, known), fit(b, a, reversed(known))};
+}
+
 // Functional maps fitted to descriptors and heat kernels at the anchors, each with operators there that tell
 // it from its mirror image, and if `plain` without them too.
 void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain) {
@@ -129,16 +146,8 @@ void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, 
         }
         const KnownFunctions known{with_heat_kernels(descriptors_a, a, on_a, tuning_.heat_times),
                                    with_heat_kernels(descriptors_b, b, on_b, tuning_.heat_times), anchors[i]};
-        const auto start = [&](const Eigen::MatrixXd& map) {
-            const MatrixF c = map.cast<float>();
-            return begin({c, c.transpose()});
-        };
-        if (plain)
-            beginnings[2 * i] =
-                start(fit_functional_map(known.on_a, a.basis.eigenvalues, known.on_b, b.basis.eigenvalues));
-        if (!anchors[i].empty())
-            beginnings[2 * i + 1] =
-                start(fit_oriented(a, b, known, tuning_.orientation_weight, tuning_.orientation_heat_time));
+        if (plain) beginnings[2 * i] = begin(fitted_both_ways(a, b, known));
+        if (!anchors[i].empty()) beginnings[2 * i + 1] = begin(fitted_both_ways(a, b, known, tuning_));
     });
     std::erase_if(beginnings, [](const Beginning& beginning) { return beginning.size == 0; });
     add_grown(std::move(beginnings));
@@ -147,15 +156,19 @@ void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, 
 // A candidate may take the tips of all limbs to the right ones and yet turn half the body round: its tips
 // alone give another start.
 void CandidateSearch::add_reoriented() {
-    const std::vector<Index> tips = tips_of_a(pair_);
+    const PreparedShape &a = pair_.a, &b = pair_.b;
+    const std::vector<Index> tips_a = samples_of_extremities(a, pair_.points_a.size()),
+                             tips_b = samples_of_extremities(b, pair_.points_b.size());
     std::vector<VertexPairs> anchors;
     for (std::size_t i = 0; i < std::min(candidates_.size(), tuning_.n_reoriented); ++i) {
-        anchors.emplace_back();
-        for (std::size_t e = 0; e < tips.size(); ++e)
-            anchors.back().emplace_back(
-                pair_.a.extremities[e].vertex,
-                pair_.b.samples[static_cast<std::size_t>(
-                    candidates_[i].maps.b_from_a[static_cast<std::size_t>(tips[e])])]);
+        const PairedMaps& maps = candidates_[i].maps;
+        VertexPairs of_a, of_b;
+        for (std::size_t e = 0; e < tips_a.size(); ++e)
+            of_a.emplace_back(a.extremities[e].vertex, b.samples[at(maps.b_from_a[at(tips_a[e])])]);
+        for (std::size_t e = 0; e < tips_b.size(); ++e)
+            of_b.emplace_back(a.samples[at(maps.a_from_b[at(tips_b[e])])], b.extremities[e].vertex);
+        anchors.push_back(std::move(of_a));
+        anchors.push_back(std::move(of_b));
     }
     add_from_anchors(anchors, false);
 }
@@ -177,10 +190,10 @@ PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
 }
 
 // Of the best candidates that were not varied before.
-std::vector<Beginning> CandidateSearch::flips() {
+std::vector<Beginning> CandidateSearch::flips(std::size_t n_flipped) {
     std::vector<std::pair<std::size_t, int>> flips;
     std::size_t n_chosen = 0;
-    for (std::size_t i = 0; i < candidates_.size() && n_chosen < tuning_.n_flipped; ++i) {
+    for (std::size_t i = 0; i < candidates_.size() && n_chosen < n_flipped; ++i) {
         if (candidates_[i].was_flipped) continue;
         candidates_[i].was_flipped = true;
         ++n_chosen;
@@ -211,10 +224,10 @@ std::vector<Beginning> CandidateSearch::unknown(std::vector<Beginning> beginning
     return fresh;
 }
 
-void CandidateSearch::add_flipped() {
+void CandidateSearch::add_flipped(std::size_t n_flipped) {
     for (int round = 0; round < tuning_.n_flip_rounds; ++round) {
         progress_.reach(static_cast<double>(round) / tuning_.n_flip_rounds);
-        add_grown(unknown(flips()));
+        add_grown(unknown(flips(n_flipped)));
         keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
     }
 }
@@ -251,11 +264,12 @@ std::vector<Candidate> start_candidates(const SampledPair& pair, const Candidate
 }
 
 std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,
-                                       const CandidateTuning& tuning, const ProgressRange& progress) {
+                                       std::size_t n_flipped, const CandidateTuning& tuning,
+                                       const ProgressRange& progress) {
     CandidateSearch search(pair, tuning, progress, std::move(started));
-    search.add_flipped();
+    search.add_flipped(n_flipped);
     search.add_reoriented();
-    return search.best(tuning.n_kept);
+    return search.best(tuning.n_pool);
 }
 
 }  // namespace counterpart::spectral_match

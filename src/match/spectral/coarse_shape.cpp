@@ -50,11 +50,18 @@ CoarseShape as_it_is(const PreparedShape& fine) {
 }  // namespace
 
 CoarseShape coarsened(const PreparedShape& fine, Index n_vertices, const PreparationTuning& tuning) {
-    if (fine.mesh.n_vertices() <= n_vertices) return as_it_is(fine);
-    Proxy proxy = make_proxy(fine.mesh, n_vertices);
-    if (surface_area(proxy.mesh) < tuning.min_proxy_area * surface_area(fine.mesh)) return as_it_is(fine);
-    PreparedShape shape = restricted(fine, proxy);
-    return {std::move(shape), std::move(proxy.full_of_proxy), std::move(proxy.cell_of_full)};
+    const double least = tuning.min_proxy_area * surface_area(fine.mesh);
+    for (; n_vertices < fine.mesh.n_vertices(); n_vertices *= 2) {
+        Proxy proxy = make_proxy(fine.mesh, n_vertices);
+        // Of a surface that no proxy resolves (dust, thin leaves) one of this size is still better than all
+        // of it.
+        const bool is_largest =
+            2 * n_vertices > tuning.proxy_size && fine.mesh.n_vertices() > tuning.large_mesh;
+        if (surface_area(proxy.mesh) < least && !(is_largest && proxy.mesh.n_triangles() > 0)) continue;
+        PreparedShape shape = restricted(fine, proxy);
+        return {std::move(shape), std::move(proxy.full_of_proxy), std::move(proxy.cell_of_full)};
+    }
+    return as_it_is(fine);
 }
 
 Priors coarsened(const Priors& priors, const CoarseShape& a, const CoarseShape& b) {

@@ -15,7 +15,8 @@ struct CoarseShape {
 
 /// The shape on a proxy of about `n_vertices`. What is known at its vertices is taken over, samples keep
 /// their numbers, so that a map between samples means the same on both; `origin`, of no use here, is left
-/// out. A shape that has no more vertices, or whose proxy lacks too much of it, is kept as it is. About O(V
+/// out. Where such a proxy lacks too much of the surface, it has twice
+/// as many, and so on; a shape that has no more vertices is kept as it is. About O(V
 /// log n_vertices).
 CoarseShape coarsened(const PreparedShape& fine, Index n_vertices, const PreparationTuning& tuning = {});
 

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/islands.hpp"
 
-#include "match/spectral/surface_distance.hpp"
-
-#include <counterpart/mesh/adjacency.hpp>
-
 #include <algorithm>
 
 namespace counterpart::spectral_match {
@@ -82,16 +78,16 @@ class Growth {
 
 }  // namespace
 
-Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
+Islands find_islands(const LevelShape& from, const LevelShape& to, const std::vector<Index>& b_from_a,
                      const IslandTuning& tuning) {
-    const Adjacency adjacency(a.mesh);
-    const Growth growth(a, b, b_from_a);
+    const PreparedShape& a = from.shape;
+    const Adjacency& adjacency = from.neighbors;
+    const Growth growth(a, to.shape, b_from_a);
     const std::vector<double> usual = growth.usual(adjacency, tuning.most_growth);
-    const SurfaceDistanceBound along_b(b);
     const auto is_torn = [&](Index v, Index w) {
         const double expected = (usual[at(v)] + usual[at(w)]) / 2 * growth.before(v, w);
         return growth.after(v, w) > expected + tuning.gap ||
-               along_b(b_from_a[at(v)], b_from_a[at(w)]) > expected + tuning.jump;
+               to.along(b_from_a[at(v)], b_from_a[at(w)]) > expected + tuning.jump;
     };
     const Parts parts = parts_between_tears(adjacency, a.basis.mass, is_torn);
     const double most = tuning.max_share * a.basis.mass.sum();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/prepared_shape.hpp"
+#include "match/spectral/level.hpp"
 
 #include <vector>
 
@@ -10,8 +10,8 @@ namespace counterpart::spectral_match {
 
 /// What a map takes elsewhere than its surroundings.
 struct Islands {
-    std::vector<char> inside;   ///< per vertex of A: 1 in a patch that is torn off all around
-    std::vector<char> spoiled;  ///< per vertex of A: 1 there and at the near side of the tears
+    std::vector<char> inside;   ///< per vertex: 1 in a patch that is torn off all around
+    std::vector<char> spoiled;  ///< per vertex: 1 there and at the near side of the tears
     bool empty = true;
 };
 
@@ -20,7 +20,7 @@ struct Islands {
 /// surface, than the edges around it suggest (by their median factor: a limb that goes to a longer one
 /// stretches all along). Two ears that are exchanged are such patches; each fits where it is, and so nothing
 /// near it looks wrong. O(V).
-Islands find_islands(const PreparedShape& a, const PreparedShape& b, const std::vector<Index>& b_from_a,
+Islands find_islands(const LevelShape& from, const LevelShape& to, const std::vector<Index>& b_from_a,
                      const IslandTuning& tuning);
 
 }  // namespace counterpart::spectral_match

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/lift.hpp"
 
-#include "align/local_similarities.hpp"
+#include "align/elastic_fit.hpp"
 #include "base/parallel.hpp"
-#include "match/spectral/elastic_fit.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
-#include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -39,17 +36,19 @@ struct FullSurface {
 // Where the neighborhoods of the matched mesh go.
 struct Bending {
     Points positions;
-    std::vector<align::LocalSimilarity> similarities;
+    align::LocalSimilarities similarities;
 };
 
 Bending bend(const PreparedShape& from, const PreparedShape& to, const std::vector<Index>& map,
-             const RefinementTuning& tuning, const ProgressRange& progress) {
+             const SpectralTuning& tuning, const ProgressRange& progress) {
+    const align::ScaleBounds scales{tuning.refinement.min_scale, tuning.refinement.max_scale};
     const Points images = to.mesh.vertices(map, Eigen::all);
+    const double length = tuning.polish.lift_length;
     Bending bending;
-    bending.positions = ElasticFit(from.mesh.vertices, from.laplacian, tuning)(
-        images, images, tuning.last_length, tuning.n_iterations, progress);
-    bending.similarities = align::local_similarities(from.laplacian.stiffness, from.mesh.vertices,
-                                                     bending.positions, {tuning.min_scale, tuning.max_scale});
+    bending.positions = align::ElasticFit(from.mesh.vertices, from.laplacian.stiffness, {.scales = scales})(
+        images, from.laplacian.mass / (length * length), images, tuning.polish.n_lift_iterations, progress);
+    bending.similarities = align::local_similarities(
+        align::Springs(from.laplacian.stiffness, from.mesh.vertices), bending.positions, scales);
     return bending;
 }
 
@@ -73,8 +72,10 @@ MatrixF bent_cell(const FullSurface& from, const Bending& bending, Index cell,
             const double closeness = std::max(reach - apart.norm(), n == cell ? 1e-3 * reach : 0.0);
             const double weight = closeness * closeness + (n == cell ? 1e-300 : 0);
             const align::LocalSimilarity& similarity = bending.similarities[at(n)];
-            position += weight * (bending.positions.row(n) + apart * similarity.linear().transpose());
-            normal += weight * from.normals.row(members[i]) * similarity.rotation.transpose();
+            const Eigen::Matrix3d rotation = similarity.rotation.toRotationMatrix().cast<double>();
+            const double scale = static_cast<double>(similarity.scale);
+            position += weight * (bending.positions.row(n) + scale * apart * rotation.transpose());
+            normal += weight * from.normals.row(members[i]) * rotation.transpose();
             sum += weight;
         }
         result.row(static_cast<Eigen::Index>(i)) << (position / sum * tuning.position_weight).cast<float>(),
@@ -104,8 +105,9 @@ std::vector<Index> choices(const FullSurface& from, const FullSurface& to, Index
 }
 
 std::vector<Index> lifted(const FullSurface& from, const FullSurface& to, const std::vector<Index>& map,
-                          const RefinementTuning& tuning, const ProgressRange& progress) {
-    const Bending bending = bend(from.shape, to.shape, map, tuning, progress);
+                          const SpectralTuning& all_tuning, const ProgressRange& progress) {
+    const Bending bending = bend(from.shape, to.shape, map, all_tuning, progress);
+    const RefinementTuning& tuning = all_tuning.refinement;
     std::vector<Index> image(at(from.vertices.rows()));
     parallel_for(from.cells.size(), 1, [&](std::size_t c) {
         progress.check();
@@ -128,7 +130,7 @@ std::vector<Index> lifted(const FullSurface& from, const FullSurface& to, const 
 }  // namespace
 
 PairedMaps lift(const PreparedShape& a, const PreparedShape& b, const PairedMaps& maps,
-                const RefinementTuning& tuning, const ProgressRange& progress) {
+                const SpectralTuning& tuning, const ProgressRange& progress) {
     if (!a.full && !b.full) return maps;
     const FullSurface on_a(a), on_b(b);
     return {lifted(on_a, on_b, maps.b_from_a, tuning, progress),

@@ -11,7 +11,7 @@ namespace counterpart::spectral_match {
 /// them, and take the partner nearest in position and normal in the cells around their images. O(V) apart
 /// from the bending.
 PairedMaps lift(const PreparedShape& a, const PreparedShape& b, const PairedMaps& maps,
-                const RefinementTuning& tuning, const ProgressRange& progress = {});
+                const SpectralTuning& tuning, const ProgressRange& progress = {});
 
 /// Values per vertex of a shape's mesh as values per vertex of its full surface.
 Vector lift(const PreparedShape& shape, const Vector& values);

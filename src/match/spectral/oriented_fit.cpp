@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -24,6 +25,12 @@ Eigen::MatrixXd rotated_gradient(const PreparedShape& shape, Index v, Eigen::Ind
 }
 
 }  // namespace
+
+KnownFunctions reversed(KnownFunctions known) {
+    known.on_a.swap(known.on_b);
+    for (auto& [va, vb] : known.vertices) std::swap(va, vb);
+    return known;
+}
 
 Eigen::MatrixXd fit_oriented(const PreparedShape& a, const PreparedShape& b, const KnownFunctions& known,
                              double weight, double heat_time) {

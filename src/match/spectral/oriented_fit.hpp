@@ -12,6 +12,9 @@ struct KnownFunctions {
     std::vector<std::pair<Index, Index>> vertices;
 };
 
+/// The same with A and B exchanged.
+KnownFunctions reversed(KnownFunctions known);
+
 /// The functional map C (coefficients on A from those on B, k x k) that minimizes
 ///
 ///     |C F_B - F_A|^2 + 3 sum_ij C_ij^2 ((lambda_i - lambda_j) / lambda_max)^2

@@ -3,10 +3,13 @@
 #include "match/spectral/pipeline.hpp"
 
 #include "base/parallel.hpp"
+#include "match/spectral/coarse_pair.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/spectral/given_map.hpp"
 #include "match/spectral/lift.hpp"
-#include "match/spectral/rivals.hpp"
-#include "match/spectral/search.hpp"
+#include "match/spectral/moves.hpp"
+#include "match/spectral/polish.hpp"
+#include "match/spectral/race.hpp"
 #include "match/spectral/warnings.hpp"
 
 #include <algorithm>
@@ -18,54 +21,64 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// The stages between prepared shapes, and what all of them are told.
-struct Stages {
-    const SpectralOptions& options;
-    const SpectralTuning& tuning;
-    Stopwatch watch;
+// One reading of the pair: as it is, or with B mirrored. The shapes must outlive it.
+class Reading {
+  public:
+    Reading(const PreparedShape& a, const PreparedShape& b, const Priors& priors,
+            const SpectralTuning& tuning)
+        : priors_(priors), whole_(a, b, priors_, tuning) {}
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
 
-    Search search(const PreparedShape& source, const PreparedShape& target, const Priors& priors,
-                  const ProgressRange& progress) {
-        return spectral_match::search(source, target, priors,
-                                      static_cast<std::size_t>(options.n_alternatives), tuning, progress,
-                                      watch);
+    // Stages 2 to 4, on coarse copies.
+    void search(const ProgressRange& progress, Stopwatch& watch) {
+        const CoarsePair coarse(whole_, whole_.tuning.race.n_coarse);
+        contenders_ = race(coarse.level, progress.part(0, 0.75), watch);
+        contenders_ = move_extremities(std::move(contenders_), coarse.level, progress.part(0.75, 1));
+        watch.lap("moves");
     }
 
-    // 5 and 6: the best of the finalists on all vertices, and what is to be said about it; then all of it
-    // between the full meshes.
-    SpectralResult finish(Search found, const ProgressRange& progress) {
-        const SampledPair& pair = found.all;
-        std::vector<Candidate>& finalists = found.finalists;
-        refine_rivals(finalists, pair, found.rivals, found.refinement, progress.part(0, 0.9));
-        const PairedMaps& maps = finalists.front().on_vertices;
-        watch.lap("refinement");
+    double score() const { return contenders_.leader().rank(); }
+    double score_of(const VertexMap& initial) const { return given_map(whole_, initial).rank(); }
+
+    // Stages 5 and 6, and what is to be said about the map, between the full meshes.
+    SpectralResult finish(const SpectralOptions& options, const ProgressRange& progress, Stopwatch& watch) {
+        const auto count = static_cast<std::size_t>(options.n_alternatives);
+        const Polished found =
+            options.initial
+                ? polish_given(given_map(whole_, *options.initial), whole_, progress.part(0, 0.95))
+                : polish(std::move(contenders_), whole_, std::max<std::size_t>(count, 1),
+                         progress.part(0, 0.95));
+        watch.lap("polish");
         SpectralResult result;
-        result.score = found.score();
-        result.margin = finalists.size() > 1 ? result.score - finalists[1].scores.total
-                                             : std::numeric_limits<double>::infinity();
-        const Vector trust = confidence(pair, maps, finalists, tuning.confidence);
-        result.warnings = warnings(pair, finalists, tuning.confidence);
-        const std::size_t n_runners_up =
-            std::min(finalists.size() - 1, static_cast<std::size_t>(options.n_alternatives));
-        for (std::size_t i = 1; i <= n_runners_up; ++i)
-            result.alternatives.push_back({{},
-                                           finalists[i].scores.total,
-                                           describe(pair, finalists[0], finalists[i], tuning.confidence)});
+        result.score = found.best.rank();
+        result.margin = found.runners_up.empty() ? std::numeric_limits<double>::infinity()
+                                                 : found.runners_up.front().behind;
+        result.warnings = warnings(whole_, found);
+        result.confidence = lift(whole_.a.shape, confidence(whole_, found));
         watch.lap("confidence");
-        const auto lifted = [&](const PairedMaps& between) {
-            return lift(pair.a, pair.b, between, tuning.refinement, progress);
-        };
-        const Index n_source = pair.a.n_full_vertices(), n_target = pair.b.n_full_vertices();
-        PairedMaps full = lifted(maps);
-        result.target_from_source = {std::move(full.b_from_a), n_target};
-        result.source_from_target = {std::move(full.a_from_b), n_source};
-        for (std::size_t i = 1; i <= n_runners_up; ++i)
-            result.alternatives[i - 1].target_from_source = {lifted(finalists[i].on_vertices).b_from_a,
-                                                             n_target};
-        result.confidence = lift(pair.a, trust);
-        if (pair.a.full || pair.b.full) watch.lap("lift");
+        PairedMaps full = lifted(found.best, progress);
+        result.target_from_source = {std::move(full.b_from_a), whole_.b.shape.n_full_vertices()};
+        result.source_from_target = {std::move(full.a_from_b), whole_.a.shape.n_full_vertices()};
+        for (std::size_t i = 0; i < std::min(found.runners_up.size(), count); ++i) {
+            const RunnerUp& other = found.runners_up[i];
+            result.alternatives.push_back(
+                {{lifted(other.map, progress).b_from_a, whole_.b.shape.n_full_vertices()},
+                 result.score - other.behind,
+                 describe(whole_, found.best, other.map)});
+        }
+        if (whole_.a.shape.full || whole_.b.shape.full) watch.lap("lift");
         return result;
     }
+
+  private:
+    PairedMaps lifted(const Map& map, const ProgressRange& progress) const {
+        return lift(whole_.a.shape, whole_.b.shape, map.on_vertices, whole_.tuning, progress.unheard());
+    }
+
+    const Priors priors_;
+    const Level whole_;
+    Contenders contenders_;
 };
 
 // A result between matched parts as one between the inputs.
@@ -102,33 +115,34 @@ void keep_landmarks(SpectralResult& result, const VertexPairs& landmarks) {
 
 SpectralResult match(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
                      const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch watch) {
-    Stages stages{options, tuning, std::move(watch)};
-    // One inside out: badly oriented, or the mirror image of what it was. Where both are searched, the better
-    // score tells, and only the winner is finished.
+    // One inside out: badly oriented, or the mirror image of what it was. Where both readings are searched,
+    // the better score tells, and only the winner is finished.
     const bool may_be_mirrored =
         !options.symmetric && source.origin.was_inside_out != target.origin.was_inside_out;
     const Priors priors = make_priors(source, target, options, tuning.priors);
     std::optional<PreparedShape> mirror;
-    Priors priors_of_mirror;
-    if (options.symmetric || may_be_mirrored) {
-        mirror = mirrored(target);
-        priors_of_mirror = with_mirrored_b(priors);
-    }
-    Search first = options.symmetric
-                       ? stages.search(source, *mirror, priors_of_mirror, progress.part(0, 0.6))
-                       : stages.search(source, target, priors, progress.part(0, may_be_mirrored ? 0.3 : 0.6));
-    std::optional<Search> second;
-    if (may_be_mirrored)
-        second.emplace(stages.search(source, *mirror, priors_of_mirror, progress.part(0.3, 0.6)));
-    const double score = first.score(), mirrored_score = second ? second->score() : 0;
-    const bool is_mirrored = second && mirrored_score > score + tuning.confidence.min_mirror_gain;
-    SpectralResult result = stages.finish(std::move(is_mirrored ? *second : first), progress.part(0.6, 1));
+    if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
+    std::optional<Reading> as_it_is, in_the_mirror;
+    if (!options.symmetric) as_it_is.emplace(source, target, priors, tuning);
+    if (mirror) in_the_mirror.emplace(source, *mirror, with_mirrored_b(priors), tuning);
+    const auto score_of = [&](Reading& reading, const ProgressRange& part) {
+        if (options.initial) return reading.score_of(*options.initial);
+        reading.search(part, watch);
+        return reading.score();
+    };
+    double score = 0, mirrored_score = 0;
+    if (as_it_is) score = score_of(*as_it_is, progress.part(0, mirror ? 0.3 : 0.6));
+    if (in_the_mirror) mirrored_score = score_of(*in_the_mirror, progress.part(as_it_is ? 0.3 : 0, 0.6));
+    const bool is_mirrored =
+        as_it_is && in_the_mirror && mirrored_score > score + tuning.confidence.min_mirror_gain;
+    Reading& taken = is_mirrored || !as_it_is ? *in_the_mirror : *as_it_is;
+    SpectralResult result = taken.finish(options, progress.part(0.6, 1), watch);
     if (is_mirrored)
         result.warnings.push_back(fmt::format(
             "one mesh is the mirror image of the other (score {:.2f}, without mirroring {:.2f}): the map "
             "reverses orientation (left to left)",
             mirrored_score, score));
-    result.stages = stages.watch.stages();
+    result.stages = watch.stages();
     result = between_inputs(std::move(result), source.origin, target.origin);
     if (!options.soft_landmarks) keep_landmarks(result, options.landmarks);
     return result;

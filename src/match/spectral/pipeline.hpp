@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// The stages in their order: prepare -> candidates -> selection -> final choice -> refinement -> confidence.
+// The stages in their order: prepare -> proposals -> race -> moves -> polish -> confidence.
 #pragma once
 
 #include "match/spectral/prepared_shape.hpp"

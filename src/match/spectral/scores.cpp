@@ -79,8 +79,14 @@ MatrixF sample_positions(const PreparedShape& shape, Index n) {
     return positions;
 }
 
-double frequency_drift(const MatrixF& map, const VectorF& row_frequencies,
-                       const VectorF& column_frequencies) {
+// |C^T C - I|^2 / k.
+double excess(const Eigen::MatrixXf& map) {
+    Eigen::MatrixXf square = map.transpose() * map;
+    square.diagonal().array() -= 1;
+    return square.squaredNorm() / static_cast<double>(map.cols());
+}
+
+double drift(const MatrixF& map, const VectorF& row_frequencies, const VectorF& column_frequencies) {
     double sum = 0;
     for (Eigen::Index i = 0; i < map.rows(); ++i) {
         for (Eigen::Index j = 0; j < map.cols(); ++j) {
@@ -119,21 +125,25 @@ Neighborhoods::Neighborhoods(const PreparedShape& shape, std::size_t n, double r
     }
 }
 
+double frequency_drift(const SampledPair& pair, const PairedFunctionalMaps& functional) {
+    const VectorF &on_a = pair.points_a.frequencies, &on_b = pair.points_b.frequencies;
+    return (drift(functional.a_from_b, on_a, on_b) + drift(functional.b_from_a, on_b, on_a)) / 2;
+}
+
 Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedFunctionalMaps& functional,
                   const ScoreWeights& weights) {
     Scores scores;
     scores.curvature = (curvature_correlation(pair.a, pair.b, maps.b_from_a, weights.curvature_scale) +
                         curvature_correlation(pair.b, pair.a, maps.a_from_b, weights.curvature_scale)) /
                        2;
-    scores.orientation = orientation_score(pair.a.orientation, pair.b.orientation, functional.a_from_b);
-    const Eigen::MatrixXf c = functional.a_from_b;
-    Eigen::MatrixXf excess = c.transpose() * c;
-    excess.diagonal().array() -= 1;
-    scores.orthogonality = excess.squaredNorm() / static_cast<double>(c.cols());
+    scores.orientation = (orientation_score(pair.a.orientation, pair.b.orientation, functional.a_from_b) +
+                          orientation_score(pair.b.orientation, pair.a.orientation, functional.b_from_a)) /
+                         2;
+    scores.orthogonality = (excess(functional.a_from_b) + excess(functional.b_from_a)) / 2;
     scores.rigidity = (rigid_residual(pair.positions_a, pair.positions_b, maps.b_from_a, pair.near_a) +
                        rigid_residual(pair.positions_b, pair.positions_a, maps.a_from_b, pair.near_b)) /
                       2;
-    scores.drift = frequency_drift(functional.a_from_b, pair.points_a.frequencies, pair.points_b.frequencies);
+    scores.drift = frequency_drift(pair, functional);
     scores.total = weights.curvature * scores.curvature + weights.orientation * scores.orientation -
                    weights.orthogonality * std::min(scores.orthogonality, 1.0) -
                    weights.drift * scores.drift - weights.rigidity * scores.rigidity;

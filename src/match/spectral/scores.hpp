@@ -47,6 +47,9 @@ struct Scores {
     double total = 0;          // the larger, the better
 };
 
+/// Sum of C_ij^2 by the relative gap of the eigenvalues i and j, over k: 0 for an isometry.
+double frequency_drift(const SampledPair& pair, const PairedFunctionalMaps& functional);
+
 /// Scores of maps between the samples and the functional maps fitted to them.
 Scores score_maps(const SampledPair& pair, const PairedMaps& maps, const PairedFunctionalMaps& functional,
                   const ScoreWeights& weights);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Every constant of the method, stage by stage in the order in which the stages run. Lengths are geodesic, at
-// unit surface area; times are of heat diffusion, squared lengths. docs/spectral.md says what each stage and
-// the more important constants are worth (benchmarks/ablation measures it).
+// unit surface area; times are of heat diffusion, squared lengths. docs/spectral.md describes
+// the stages; a constant changes only where benchmarks/compare.py shows an interval without 0.
 #pragma once
 
 #include <counterpart/base/types.hpp>
@@ -39,10 +39,7 @@ struct PreparationTuning {
     /// Above this many vertices a mesh is matched by a proxy; where that does not do, eigenfunctions are
     /// sought in a subspace of local functions.
     Index large_mesh = 8000;
-    /// Vertices. With 8000, meshes of 16 000 to 250 000 vertices take 10 % longer and maps are as accurate
-    /// (mean errors with 6000 and 8000: 1.60 and 1.64, 1.43 and 1.54, 0.85 and 0.86; of 10 000 vertices 0.76
-    /// and 0.66).
-    Index proxy_size = 6000;
+    Index proxy_size = 6000;       ///< vertices; 8000 are as accurate and take 10 % longer
     double min_proxy_area = 0.85;  ///< of a proxy, as a share of the full surface's
     /// Of the eigenfunctions: matching does not ask whether the last five of 200 are mixed with the next.
     /// 1e-3 takes half the time of 1e-8.
@@ -64,25 +61,15 @@ struct Distinctness {
 /// What a person says about the map, against the other scores, which are about 1.
 struct PriorTuning {
     /// Of the distance beyond the slack between one end of a landmark and where the surroundings of the other
-    /// end go. By the nearest sample alone, with slack 0.1, of weights 0.5, 1, 3 and 10 the two large ones
-    /// made maps of unlike shapes worse, where the right map stretches the landmark's limb; with slack 0.2, 1
-    /// and 2 do the same.
+    /// end go.
     double weight = 2;
-    /// Which coarse maps cannot help. One landmark takes nine wrong pairs of unlike shapes from 7.9 to 8.0
-    /// with 0.1 (two of them are worse by 3 and 4), to 7.1 with 0.2 (nearest sample). A right map takes the
-    /// surroundings about 0.1 away.
-    double slack = 0.2;
-    /// Of the samples around a landmark, of whose images' distances the median counts. By the nearest sample
-    /// alone, which a pin holds while all around it stays elsewhere, 17 wrong pairs have 7.0 with one
-    /// landmark, with this 6.6.
-    double radius = 0.15;
+    double slack = 0.2;    ///< a right map takes the surroundings about 0.1 away
+    double radius = 0.15;  ///< of the samples around a landmark, of whose images' distances the median counts
     double excluded_weight = 10;    ///< of what is missing to the radius below
     double excluded_radius = 0.15;  ///< images this near to an excluded vertex are on the wrong limb
     /// Of what is missing to the correlation below, of the coordinates along a common direction.
     double direction_weight = 1.5;
-    /// From here on a correlation says no more: bodies lean and rear. Of six pairs with a hippo, "up" alone
-    /// leaves four as they are and mends one with 0.2; with 0.5 it turns three head to tail, with 1 five.
-    double enough_correlation = 0.2;
+    double enough_correlation = 0.2;  ///< from here on it says no more: bodies lean and rear
 };
 
 /// Stage 2a, partial matchings of extremities that keep geodesic distances.
@@ -112,258 +99,202 @@ struct ScoreWeights {
     double curvature = 1;
 };
 
-/// Stage 2, candidates.
+/// Stage 2, proposals.
 struct CandidateTuning {
     ExtremityTuning extremities;
     ExtrinsicTuning extrinsic;
-    std::size_t n_samples = 300;      ///< points on which candidates are grown
+    std::size_t n_samples = 300;      ///< points on which proposals are grown
     double rigidity_radius = 0.3;     ///< of neighborhoods that should move rigidly
     int first_size = 20;              ///< eigenfunctions of the map fitted to descriptors and extremities
     double wave_kernel_weight = 0.2;  ///< of each column, against 1 for a heat kernel at an extremity
     double curvature_weight = 0.3;    ///< likewise
     std::vector<double> heat_times{0.005, 0.02, 0.06};
-    /// Of the operators at extremities that tell a map from its mirror image; 0.01 to 1 do about the same.
-    double orientation_weight = 0.1;
+    double orientation_weight =
+        0.1;  ///< of the operators at extremities that tell a map from its mirror image
     double orientation_heat_time = 0.06;
-    std::size_t n_reoriented = 8;       ///< candidates whose tips give another start; 0 = none
-    int last_size = 30, size_step = 5;  ///< eigenfunctions that candidates are grown to by ZoomOut
+    std::size_t n_reoriented = 8;       ///< proposals whose tips give another start
+    int last_size = 30, size_step = 5;  ///< eigenfunctions that proposals are grown to by ZoomOut
     ScoreWeights score{2, 0.15, 2.5, 0, 0.7};
-    int n_flip_rounds = 2;               ///< rounds in which low columns of the best are negated; 0 = never
-    std::size_t n_flipped = 24;          ///< candidates varied per round
+    int n_flip_rounds = 2;               ///< rounds in which low columns of the best are negated
     int first_flip = 5, last_flip = 17;  ///< columns, one at a time
     double min_new_difference = 0.03;    ///< flips that begin closer than this to an earlier one are dropped
     Distinctness distinct{.mean = 0.05};
-    std::size_t n_pool = 60, n_kept = 24;  ///< candidates between the rounds, and at the end
-};
-
-/// Stage 3, selection.
-struct SelectionTuning {
-    // 3a: all on more functions and samples.
-    std::size_t n_samples = 600;
-    double rigidity_radius = 0.2;
-    std::vector<int> sizes{40, 50, 60, 80};
-    ScoreWeights score{1, 0.25, 0, 10, 2};
-    std::size_t n_kept = 14;  ///< of all
-    Distinctness distinct{.mean = 0.08, .moved_share = 0.05};
-    /// Of the best map. Below, shapes are alike, and maps are grown on; above, growth pulls unlike bodies to
-    /// where isometry would put them, and candidates are refined as they are. (Of 40 pairs of animals and 14
-    /// of people the 17 up to 0.0072 have all limbs right; 0.0122 is the next.)
-    double near_isometry_drift = 0.01;
-    double max_behind = 0.3;  ///< the best; those farther behind are not grown on,
-    std::size_t n_least = 4;  ///< except so many, to be reported as runners-up
-    // 3b: the finalists on all samples.
-    double final_rigidity_radius = 0.15;
-    std::vector<int> final_sizes{95, 110, 130, 150};
-    int final_scored_size = 100;  ///< functions that scores are taken on
-    bool final_masked = true;     ///< damp entries between far frequencies (Hu et al. 2021)
-    ScoreWeights final_score{0, 0.25, 0, 10, 2};
-    /// A map of less drift that is so far ahead of the next one is right, and the candidates are not varied,
-    /// which takes a quarter of the whole time. Of 306 pairs of people and animals 113 have such a map at
-    /// drifts below 0.008, all right; up to 0.01, 32 more, of which one centaur's is wrong. Leads of right
-    /// maps are from 0.04 on, of wrong ones up to 0.007 (drifts up to 0.009).
-    double decided_drift = 0.007, decided_lead = 0.05;
-    std::size_t n_looked_at = 14;  ///< the best candidates, among which it is sought
-    std::size_t n_finalists = 8;
-    Distinctness distinct_finalists{.mean = 0.05, .moved_share = 0.05};
+    std::size_t n_pool = 60;
 };
 
 /// Patches that a map takes elsewhere than all that is around them.
 struct IslandTuning {
-    /// An edge is torn if its ends go so much farther apart than the edges around it suggest: by the
-    /// median of their factors. 14 pairs of animals (13 with a hippo, and one that a fixed factor of 3
-    /// spoils) have 7.2 with their lengths alone, 6.7 with the median, 7.3 with the 75 % quantile.
+    /// An edge is torn if its ends go so much farther apart than the edges around it suggest, by the median
+    /// of their factors: a limb that goes to a longer one stretches all along.
     double gap = 0.04;
-    /// Or so much farther apart along the surface: what jumps from one leg to the other beside it is near
-    /// through space. Of 43 pairs with a hippo it changes three (12.9 to 5.0, 9.6 to 7.9, 9.6 to 15.1). With
-    /// 0.04, 22 of them have 4.7 (5.0 with 0.2), but the others get worse, 20 of them 4.9 to 5.1.
-    double jump = 0.2;
-    double most_growth = 4;  ///< what is expected of an edge, as a factor, at most; no other was tried
-    double max_share = 0.1;  ///< of the area; with 0.25 the maps of 60 pairs of animals are the same
-    /// Of the refinement from which on they are put back, each time. On the 32 pairs of animals that this
-    /// changes (when an edge was torn by its length alone) the mean error is 5.72 without, 4.57 in round 4
-    /// only, 4.07 from it on; from round 2 on (4.30) two right maps are spoiled. The final choice has fewer
-    /// rounds: there a wrong map won by it (one of 24 pairs).
-    int first_round = 4;
+    double jump = 0.2;  ///< or so much farther apart along the surface: from one leg to the one beside it
+    double most_growth = 4;  ///< what is expected of an edge, as a factor, at most
+    double max_share = 0.1;  ///< of the area
 };
 
-/// Stage 5, refinement on all vertices. Weights are relative to the spectral coordinates. The rounds go from
-/// few functions and stiff surfaces to many functions and pliable ones.
+/// What refinement compares. Weights are relative to the spectral coordinates, whose squared length is about
+/// their number.
 struct RefinementTuning {
-    int first_match_size = 80;             ///< eigenfunctions of the maps that the first round starts from
-    int first_size = 30, last_size = 200;  ///< eigenfunctions of the first and last round
-    bool masked = true;
     float feature_weight = 5;     ///< of curvature and wave kernel, each of variance 1
     int n_wave_kernel = 8;        ///< of the 40 columns, evenly spaced
     float position_weight = 200;  ///< of positions after an elastic fit of either surface to its images
     float normal_weight = 14;     ///< of the normals there
-    double first_length = 0.3, last_length = 0.06;  ///< the fits keep shapes below this size
     double min_scale = 0.3, max_scale = 3;  ///< of a neighborhood in the fits, so that nothing vanishes
-    int n_iterations = 16;                  ///< of an elastic fit, at most
-    /// Root mean square step at which a fit ends. Eight iterations throughout do the same for people, and
-    /// make maps of animals 5 % worse, which move on for all of the 16.
-    double settled = 1e-4;
-    double pin_mass = 0.005;  ///< share of the area that a pinned vertex pulls like, in the fits
-    /// Of nearness to a landmark, 1 there and 1/e at the reach. One landmark takes the 21 wrong pairs of
-    /// unlike shapes from 8.9 to 7.6 without, to 6.9 with 40, 6.7 with 100 (fewer of them right), 8.0 with
-    /// 100 and reach 1; fading from round to round changes nothing. 23 right pairs stay as they are (1.97,
-    /// 1.96), and so do 12 pairs with 40 landmarks each (2.30, 2.25); with five they have 3.15 without and
-    /// 3.59, one of a hippo 5.4 and 9.7.
-    float landmark_weight = 40;
-    float landmark_reach = 0.3F;
-    /// Of a vertex's share of nearness to a guide, by the inverse square of the distance from it plus the
-    /// offset. Of RematchingTuning's 14 pairs, 6 are above 6 after it, with 60 instead of 100 it is 9. On 22
-    /// pairs with 30, 100, 200 and 400 and no other matching tried: 4.94, 4.79, 4.86, 5.05 (5.25 without).
-    float guide_weight = 100;
-    float guide_offset = 0.01F;  ///< no other was tried
-    /// Of the height along a common direction, from 0 to 1, where priors guide a map.
-    /// RematchingTuning's 14 pairs with "up" given, on coarse copies: 7.0 and 6.5 with 60 and 120 in all
-    /// guided refinements, 6.6 with 0, so that the gain is in trying both: each matching with 0 and with
-    /// 120, 6.1. No other was tried. 120 in the refinements of all rivals as well: 17, two are turned head to
-    /// tail.
-    float height_weight = 120;
-    double least_height = 0.01;  ///< of a shape: flatter ones have no up there, but rounding
-    /// Where both maps pull in the fits: what the other one takes to a vertex, by so many times its area.
-    /// From the first refinement on, the 14 pairs (IslandTuning) have 6.7, 6.6, 6.5 and 7.4 with 0, 1, 3
-    /// and 10, but a right map of two others loses (RivalTuning::n_pull_rounds).
-    double back_pull = 3;
-    int first_rings = 2, rings = 1;  ///< of samples' cells around an image, in which partners are sought
-    IslandTuning islands{};          ///< put back in the later rounds
-    int n_rounds = 8;                ///< 0 = spectral coordinates and features alone, or the brief refinement
-    /// A map that has been refined before goes on from there by the last rounds only: it has come as far.
-    /// Errors of people change by 0.01 with 3, 4 or 5 rounds, by 0.02 with 2; one body in two poses: 0.44,
-    /// 0.42, 0.39 with 3, 4, 5 rounds, 0.36 with all. Of unlike shapes, which have been refined on coarse
-    /// copies: 24 pairs of animals 3.26, 3.24 and 3.25 with 3, 5 and all. Each takes 0.02 s for 5000
-    /// vertices.
-    bool goes_on = true;
-    int n_continued_rounds = 5;
-    Index huge_mesh = 60000;  ///< above this many vertices there are fewer rounds
-    int n_rounds_if_huge = 2;
+    double settled = 1e-4;                  ///< root mean square step at which a fit ends
+    int n_kept_factors = 8;                 ///< of each shape, where it is coarse: all maps share them
+    Eigen::Index most_kept_vertices = 3000;
+    double pin_mass = 0.005;      ///< share of the area that a pinned vertex pulls like, in the fits
+    float landmark_reach = 0.3F;  ///< nearness to a landmark is 1 there and 1/e at the reach
+    float guide_weight = 100;     ///< of a vertex's share of nearness to a guide,
+    float guide_offset = 0.01F;   ///< by the inverse square of the distance from it plus this
+    float height_weight = 120;    ///< of the height along a common direction, from 0 to 1
+    double least_height = 0.01;   ///< of a shape: flatter ones have no up there, but rounding
+    IslandTuning islands{};
 };
 
-/// What tells refined maps apart, and how much it counts beside the score of the selection.
-struct CueTuning {
-    double radius = 0.15;                     ///< of the neighborhoods that are fitted by similarities
-    double wring_from = 0.1, wring_to = 0.3;  ///< between neighborhoods whose rotations are compared
-    double wring_quantile = 0.9;
-    double relief_weight = 6, residual_weight = 2, wring_weight = 0.06;
-    /// Of Scores::drift, once more: alone it tells exchanged legs from right ones. 0 to 60 tried: 8
-    /// to 30 choose right on 213 of 217 pairs of animals and people in unlike poses, 0 on 210; from 20 on a
-    /// cat is wrong that was right.
-    double drift_weight = 15;
+/// How a map is refined: from few functions and stiff surfaces to many functions and pliable ones.
+struct Schedule {
+    int n_rounds = 0;
+    int first_size = 0, last_size = 0;         ///< eigenfunctions of the first and last round
+    double first_length = 0, last_length = 0;  ///< the fits keep shapes below this size
+    int n_iterations = 8;                      ///< of an elastic fit, at most
+    int islands_from = 1000;                   ///< the round from which on islands are put back
+    double back_pull = 0;        ///< of what the other map takes to a vertex, by so many times its area
+    float relief_weight = 0;     ///< of fine relief, of variance 1
+    float landmark_weight = 40;  ///< of nearness to a landmark; 0: they need not be followed
+    /// Eigenfunctions by which the map of samples is spread over all vertices first, within so many rings of
+    /// cells; 0: the map of vertices goes on.
+    int start_size = 80;
+    int start_rings = 2;
 };
 
-/// Stage 4 of near isometries, the final choice among briefly refined finalists.
-struct FinalChoiceTuning {
-    std::size_t n_tried = 8;    ///< at most
-    double close_score = 0.15;  ///< those farther behind in the selection are matched but not refined
-    CueTuning cues;
-    RefinementTuning refinement{
-        .last_size = 80, .last_length = 0.1, .n_iterations = 8, .n_rounds = 3, .n_rounds_if_huge = 1};
-};
-
-/// Equation 7, of refined maps. On 62 pairs of unlike shapes (16 with a hippo, 34 of other animals, 12
-/// gorillas) the chosen maps have mean errors of 6.1, 2.5 and 10.0; with normal weights 0 and
-/// 1: 7.1, 2.5, 12.8 and 6.1, 2.5, 10.0; with half of the score of the selection as well: 7.4, 2.8, 10.0.
-/// Twice the damage: 6.4, 2.5, 10.0.
-struct RefinedScoreTuning {
+/// Equation 4.
+struct ScoreTuning {
     double normal_weight = 0.5;
     double normal_radius = 0.3;  ///< of the neighborhoods that are turned
     double damage_weight = 5;
     double most_damage = 0.2;  ///< of a vertex: what has gone astray counts no more
 };
 
-/// Which of the refined maps is taken, and how often each is refined.
-struct RivalTuning {
-    RefinedScoreTuning score{};
-    /// Those at most so far behind the best are refined in full. Of near isometries 0.03, 0.06, 0.1 and 0.3
-    /// (then all finalists) are within 0.003 of each other, and the least takes the least time.
-    double close_score = 0.03;
-    std::size_t n_refined = 4;  ///< at most; at least 1
-    /// How many of the best are then refined again from their own result, round by round, unless that gained
-    /// nothing before.
-    std::vector<std::size_t> n_repeated{};
-    /// How often the winner is finally refined once more with both maps pulling, while that gains. If they
-    /// pull in all refinements, a hippo is turned half round; if in all but the first, a gorilla. 15 pairs of
-    /// animals (14 with a hippo) have 7.3 without, 5.9 so, 6.1 if they pull in all repeats, 6.7 if each
-    /// repeat tries both ways.
-    std::size_t n_pull_rounds = 0;
-    /// A rival that refinement has made the same map is none. As of finalists.
+/// One stage of the race: what goes on from it.
+struct Heat {
+    std::size_t n_kept;  ///< maps, at most
+    double behind;       ///< the best, at most, by equation 4
+};
+
+/// Stage 3, the race on coarse copies.
+struct RaceTuning {
+    Index n_coarse = 1000;                    ///< vertices
+    std::size_t n_first = 24, n_varied = 14;  ///< proposals that enter before and after they are varied
+    double close_proposal = 0.3;              ///< those farther behind by their own score do not enter
+    double min_new_difference = 0.05;         ///< nor those closer than this to one that has
+    Schedule first{.n_rounds = 3,
+                   .first_size = 30,
+                   .last_size = 45,
+                   .first_length = 0.3,
+                   .last_length = 0.12,
+                   .n_iterations = 5};
+    /// The race is over after the first schedule where the best map is so far ahead of the next one, and then
+    /// reaches so much by the second schedule.
+    double sure_lead = 0.05, sure_score = 1.2;
+    std::size_t n_flipped = 8;  ///< leaders whose low columns are negated
+    Heat after_first{8, 0.15}, after_second{4, 0.1}, last{3, 0.1};
+    Schedule second{.n_rounds = 6,
+                    .first_size = 30,
+                    .last_size = 80,
+                    .first_length = 0.3,
+                    .last_length = 0.08,
+                    .islands_from = 3};
+    /// Where the best map has less after the first schedule, nothing fits well yet, and more is tried.
+    double doubtful_score = 0.9;
+    std::size_t n_varied_in_doubt = 24, n_flipped_in_doubt = 24;
+    Heat after_first_in_doubt{14, 0.25}, after_second_in_doubt{8, 0.15};
+    /// Maps are the same where they are this close, and in no limb apart.
     Distinctness distinct{.mean = 0.05, .moved_share = 0.05};
 };
 
-/// Other matchings of extremities tried on the winner. Of 14 pairs with a hippo above 6 (mean 8.6) it leaves
-/// 6 above 6 (6.4).
-struct RematchingTuning {
-    double most_apart =
-        0.6;               ///< there and back, of extremities that may correspond; with 0.5 and 0.06, 8 of 14
-    double settled = 0.1;  ///< closer ones keep their partners
-    /// Nothing goes so near to a bare extremity. Of 15 pairs with a hippo one is mended (12.6 to 6.9), the
-    /// others stay as they are, in the same time. If all without a partner within `most_apart` are tried with
-    /// each other instead, 84 searches of pairs with a hippo have 4.72 instead of 4.80, for a third to a half
-    /// more time. No other radius was tried.
-    double bare = 0.15;
-    int far_rings = 8;  ///< RefinementTuning::first_rings where they guide; no other was tried with them
-    /// By equation 7: what scores so much is left as it is. On 66 pairs of animals without a hippo rematching
-    /// takes errors from 2.42 to 2.32 in 5.7 s of a processor for each pair; applied only to maps below 1.15,
-    /// 1.2 and 1.25, to 2.36, 2.33 and 2.32 in 2.0, 3.9 and 4.4 s.
-    double good_score = 1.2;
-    int n_rounds = 2;  ///< at most, while each gains: 6.6, 6.4 and 6.4 with 1, 2 and 3; 0 = none
+/// Stage 4, moves: other matchings of extremities, tried on the leader of the race.
+struct MoveTuning {
+    double good_score = 1.15;  ///< a leader of so much is left as it is
+    double most_apart = 0.6;   ///< there and back, of extremities that may correspond
+    double settled = 0.1;      ///< closer ones keep their partners
+    double bare = 0.15;        ///< nothing goes so near to a bare extremity
+    std::size_t n_bare = 12;   ///< pairs of bare extremities, at most
+    std::size_t n_tried = 8;   ///< other pairs, nearest first
+    int far_rings = 8;         ///< Schedule::start_rings where pairs of bare extremities guide
+    Schedule guided{
+        .n_rounds = 4, .first_size = 30, .last_size = 60, .first_length = 0.3, .last_length = 0.1};
+    Schedule free{.n_rounds = 3,
+                  .first_size = 30,
+                  .last_size = 80,
+                  .first_length = 0.2,
+                  .last_length = 0.08,
+                  .islands_from = 2};
+    std::size_t n_joining = 2;  ///< of the maps found, that go on,
+    Heat joining{4, 0.02};      ///< if at most so far behind
+    Heat last{3, 0.06};
 };
 
-/// Stage 4 of unlike shapes.
-struct UnlikeTuning {
-    /// With more pinned landmarks the pair is not searched without them as well, which takes as long again:
-    /// together they say where everything is. One was tried.
-    std::size_t max_unguided_pins = 8;
-    /// Vertices of the coarse copies. With 6 rivals and repeats {2, 1}, 700, 1000, 1500 and all 5000
-    /// give 5.5, 4.3, 4.1, 4.5 (12 pairs with a hippo), 2.3, 2.2, 2.2, 2.3 (12 of other animals), in 6.8,
-    /// 8, 10.5 and 26 s of a processor. With the rivals below, 12 gorillas have 5.3 with 1000 and 2000; but
-    /// of 19 pairs of one person bent far over 1000 and 1500 turn one half round and are sure of it, 2000
-    /// none.
-    Index n_coarse = 2000;
-    /// Candidates that score so much less than the best are not tried: of 62 pairs the one taken is at most
-    /// 0.17 behind.
-    double close_candidate = 0.2;
-    /// By equation 7. On copies of 1000 vertices, with 6 rivals and repeats {2, 1} the 12 pairs of gorillas
-    /// have 9.5 (a half-turn), with repeats {4, 2, 1, 1} 9.4; with 12 or 24 rivals and {4, 2, 1} 5.27; with
-    /// 24 and {12, 6, 2, 1} 5.25. In 191 searches (66 pairs of animals without a hippo, 42 with one, two
-    /// seeds, some both ways) the rival that won was at most 0.153 behind before it was refined in full; the
-    /// 12 gorillas have the same maps with 0.3 and 0.16.
-    RivalTuning rivals{.close_score = 0.16, .n_refined = 12, .n_repeated = {4, 2, 1}, .n_pull_rounds = 2};
-    RematchingTuning rematching{};
-    /// By equation 7, on coarse copies. Where the best map has less, the pair is searched from B to A as
-    /// well: 25 of 42 pairs with a hippo, 2 of 133 pairs of other animals. With 0, 1 and 1.05 the 42
-    /// have 4.9, 4.7 and 4.6, 12, 10 and 9 of them above 6 (PreparationOptions::seed 1, which nothing else
-    /// was chosen by).
-    double doubtful_score = 1.05;
-    /// Where the winner is rematched and from then on, what counts more in refinement. The true maps of 22
-    /// pairs, refined twice with both maps pulling, go off by 3.5 with 200 and 14, by 3.2 with 400 and 30, by
-    /// 3.4 with 800 and 60. Used for all rivals, 22 pairs have 5.9 (5.2).
-    float position_weight = 400, normal_weight = 30;
+/// Stage 5, polish.
+struct PolishTuning {
+    /// Of the leader, grown to 80 functions: below, the shapes are nearly isometric, and it is grown on.
+    double near_isometry_drift = 0.0135;
+    std::vector<int> near_sizes{30, 40, 50, 60, 80}, far_sizes{95, 110, 130, 150};
+    Schedule near{.n_rounds = 5,
+                  .first_size = 102,
+                  .last_size = 200,
+                  .first_length = 0.15,
+                  .last_length = 0.06,
+                  .islands_from = 1,
+                  .relief_weight = 8,
+                  .start_size = 150};
+    Index n_coarse = 2000;  ///< vertices on which other shapes are refined before
+    Schedule coarse{.n_rounds = 8,
+                    .first_size = 30,
+                    .last_size = 120,
+                    .first_length = 0.3,
+                    .last_length = 0.06,
+                    .islands_from = 4};
+    double repeated = 0.03;  ///< maps at most so far behind are refined once more
+    double back_pull = 3;    ///< where both maps pull
+    Schedule last{.n_rounds = 3,
+                  .first_size = 151,
+                  .last_size = 200,
+                  .first_length = 0.095,
+                  .last_length = 0.06,
+                  .islands_from = 0,
+                  .back_pull = 3,
+                  .start_size = 0};
+    /// Where a map is given instead of found.
+    Schedule given{.n_rounds = 4,
+                   .first_size = 115,
+                   .last_size = 200,
+                   .first_length = 0.13,
+                   .last_length = 0.06,
+                   .islands_from = 1,
+                   .back_pull = 3,
+                   .start_size = 0};
+    double slack = 0.02;  ///< the last refinement counts unless equation 4 falls by more
+    int runner_up_size =
+        100;  ///< eigenfunctions by which a map that was not taken is spread over all vertices
+    double lift_length = 0.06;  ///< likewise where a map is carried to more vertices
+    int n_lift_iterations = 8;
 };
 
 /// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
-    // Least calibration error (0.02) on all 420 pairs (people, animals, gorillas; benchmarks/candidates,
-    // scripts/fit_choice.py) among the settings that call no pair above 6 more than 0.76 sure. Without
-    // hippos, gorillas, cats and centaurs 0.7 and 0.18 fit best, which call a wrong map of those 0.85 sure.
-    /// By equation 7, at which a map is trusted by half, 0.7 to 1.1 tried: maps of people have 1.19 to 1.44,
-    /// right ones of animals 0.88 to 1.42, wrong ones 0.77 to 1.08.
-    double half_score = 0.9;
-    double score_width = 0.12;   ///< of the logistic curve around it, 0.06 to 0.18 tried
-    double temperature = 0.01;   ///< a runner-up so far behind counts 1 / e, 0.01 to 0.03 tried
-    double same_place = 0.15;    ///< images closer than this agree
-    double doubt_length = 0.12;  ///< of a round trip plus tear, at which confidence falls to 1 / e
-    /// Patches that refinement has not put back, and what is left of the confidence there. On 40 pairs of
-    /// animals 62 % of their vertices are off by more than 5, 96 % of those above 0.5 without this.
-    IslandTuning islands{};
-    double island_trust = 0.2;
-    double poor_score = 0.35;       ///< below it a warning
+    double half_score = 0.9;        ///< at which a map is trusted by half
+    double score_width = 0.12;      ///< of the logistic curve around it
+    double temperature = 0.01;      ///< a runner-up so far behind counts 1 / e
+    double same_place = 0.15;       ///< images closer than this agree
+    double doubt_length = 0.12;     ///< of a round trip plus tear, at which confidence falls to 1 / e
+    double island_trust = 0.2;      ///< what is left of it in patches that refinement has not put back
+    double poor_score = 0.6;        ///< below it a warning
     double close_margin = 0.03;     ///< between the two best scores, below it a warning
     double min_mirror_gain = 0.03;  ///< the mirror image of an inside-out mesh must score better by this
     double moved = 0.2;             ///< a sample whose images are farther apart than this has moved
-    double limb_share = 0.02,
-           turn_share = 0.6;      ///< of samples moved: below, a shift; above, another limb, a turn
+    double part_share = 0.02,
+           turn_share = 0.6;      ///< of samples moved: below, a shift; above, another part, a turn
     Index many_components = 100;  ///< from here on the mesh is called disconnected fragments
     double sphere_ratio = 1.03;   ///< of the third to the first eigenvalue, below it a shape is sphere-like
 };
@@ -372,11 +303,11 @@ struct SpectralTuning {
     PreparationTuning preparation;
     PriorTuning priors;
     CandidateTuning candidates;
-    SelectionTuning selection;
-    FinalChoiceTuning final_choice;
     RefinementTuning refinement;
-    RivalTuning rivals;
-    UnlikeTuning unlike;
+    ScoreTuning score;
+    RaceTuning race;
+    MoveTuning moves;
+    PolishTuning polish;
     ConfidenceTuning confidence;
 };
 

@@ -66,31 +66,33 @@ void add_shape_warnings(const PreparedShape& shape, const std::string& name, dou
                         name));
 }
 
-void add_score_warnings(const SampledPair& pair, const std::vector<Candidate>& finalists,
-                        const ConfidenceTuning& tuning, Sentences& sentences) {
-    const double score = finalists.front().scores.total;
+void add_score_warnings(const Level& whole, const Polished& found, Sentences& sentences) {
+    const ConfidenceTuning& tuning = whole.tuning.confidence;
+    const double score = found.best.rank();
     if (score < tuning.poor_score)
         sentences.push_back(
-            fmt::format("no map preserves distances and curvature well (score {:.2f}): they may not be "
-                        "comparable shapes, do not rely on this map",
+            fmt::format("no map preserves relief and normals well (score {:.2f}): they may not be comparable "
+                        "shapes, do not rely on this map",
                         score));
-    if (finalists.size() > 1 && score - finalists[1].scores.total < tuning.close_margin)
-        sentences.push_back(fmt::format(
-            "the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): inspect both, or "
-            "give landmarks",
-            finalists[1].scores.total, score, describe(pair, finalists[0], finalists[1], tuning)));
+    if (found.runners_up.empty()) return;
+    const RunnerUp& next = found.runners_up.front();
+    if (next.behind < tuning.close_margin)
+        sentences.push_back(
+            fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): inspect both, or "
+                        "give landmarks",
+                        score - next.behind, score, describe(whole, found.best, next.map)));
 }
 
 }  // namespace
 
-Sentences warnings(const SampledPair& pair, const std::vector<Candidate>& finalists,
-                   const ConfidenceTuning& tuning) {
+Sentences warnings(const Level& whole, const Polished& found) {
+    const ConfidenceTuning& tuning = whole.tuning.confidence;
     Sentences sentences;
-    const Preprocessed &source = pair.a.origin, &target = pair.b.origin;
+    const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
     add_input_warnings(source, "source", tuning.many_components, sentences);
     add_input_warnings(target, "target", tuning.many_components, sentences);
-    add_shape_warnings(pair.a, "source", tuning.sphere_ratio, sentences);
-    add_shape_warnings(pair.b, "target", tuning.sphere_ratio, sentences);
+    add_shape_warnings(whole.a.shape, "source", tuning.sphere_ratio, sentences);
+    add_shape_warnings(whole.b.shape, "target", tuning.sphere_ratio, sentences);
     if (source.n_components != target.n_components)
         sentences.push_back(
             fmt::format("the source has {} and the target {}: some parts may have no counterpart",
@@ -100,7 +102,7 @@ Sentences warnings(const SampledPair& pair, const std::vector<Candidate>& finali
             fmt::format("the {} is open and the {} closed: what is missing in one is matched all the same",
                         source.n_boundary_loops > 0 ? "source" : "target",
                         source.n_boundary_loops > 0 ? "target" : "source"));
-    add_score_warnings(pair, finalists, tuning, sentences);
+    add_score_warnings(whole, found, sentences);
     return sentences;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/candidate.hpp"
+#include "match/spectral/polish.hpp"
 
 #include <string>
 #include <vector>
@@ -10,8 +10,7 @@
 namespace counterpart::spectral_match {
 
 /// Sentences about what makes the match of these two shapes doubtful: defects of the inputs, symmetric
-/// shapes, a poor score, a close runner-up. `finalists` between all samples, best first.
-std::vector<std::string> warnings(const SampledPair& pair, const std::vector<Candidate>& finalists,
-                                  const ConfidenceTuning& tuning = {});
+/// shapes, a poor score, a close runner-up.
+std::vector<std::string> warnings(const Level& whole, const Polished& found);
 
 }  // namespace counterpart::spectral_match

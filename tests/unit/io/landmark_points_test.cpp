@@ -53,10 +53,11 @@ TEST_F(LandmarkPointFiles, OfSlicerInEitherFrame) {
 
 TEST_F(LandmarkPointFiles, OfScalismoAndTables) {
     const std::string json = R"([{"id":"nose","coordinates":[1,2,3]},{"id":"ear","coordinates":[4,5,6]}])";
-    for (const auto& [name, text] :
+    for (const auto& file :
          {std::pair("a.json", json),
           std::pair("a.csv", std::string("\xef\xbb\xbfname,x,y,z\r\nnose,1,2,3\r\n\r\n\"ear\", 4,5,6\r\n")),
           std::pair("b.csv", std::string("nose;1;2;3\near;4;5;6"))}) {
+        const std::string name = file.first, text = file.second;
         const LandmarkPoints points = read(name, text);
         ASSERT_EQ(points.landmarks.size(), 2U) << name;
         EXPECT_EQ(points.landmarks[1].name, "ear") << name;

@@ -40,12 +40,12 @@ TEST_F(LeftOut, InEveryFormat) {
             "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n2 0 0 0 0 1\n2 "
             "2 0 0 0 1\n"
             "0 2 0 0 0 1\nnan nan nan nan nan nan\n1 -inf 0 0 0 1\n4 0 1 2 3\n3 0 1 4\n",
-        vtk =
+        polydata =
             "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 6 float\n0 0 0 2 0 0 2 2 0 0 2 0 "
             "nan 1 0 1 -inf 0\n"
             "POLYGONS 2 9\n4 0 1 2 3\n3 0 1 4\n";
     for (const auto& [name, text] : {std::pair("a.obj", obj), std::pair("a.off", off),
-                                     std::pair("a.ply", ply), std::pair("a.vtk", vtk)}) {
+                                     std::pair("a.ply", ply), std::pair("a.vtk", polydata)}) {
         const auto file = write(name, text);
         const AttributedMeshFile read = read_attributed_mesh(file);
         const TriangleMesh& mesh = read.content.mesh;
