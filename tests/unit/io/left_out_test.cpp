@@ -8,7 +8,6 @@
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/map/left_out.hpp>
-#include <counterpart/match/match.hpp>
 #include <counterpart/mesh/shapes.hpp>
 
 #include <limits>
@@ -80,19 +79,7 @@ TEST_F(LeftOut, InEveryFormat) {
         [&] { read_mesh(write("b.off", "OFF\n3 1 0\nnan 0 0\nnan 0 0\nnan 0 0\n3 0 1 2\n")); }, "not finite");
 }
 
-TEST_F(LeftOut, HasNoPartnerInMaps) {
-    TriangleMesh a = make_body({.subdivisions = 0}), b = a;
-    for (TriangleMesh* mesh : {&a, &b}) {
-        const Eigen::RowVector3d mean = mesh->vertices.colwise().mean();
-        mesh->vertices.conservativeResize(mesh->vertices.rows() + 1, 3);
-        mesh->vertices.bottomRows<1>() = mean;
-        mesh->left_out = {mesh->n_vertices() - 1};
-    }
-    const MatchResult result = match(a, b);
-    EXPECT_EQ(result.method, MatchMethod::exact);
-    EXPECT_EQ(result.target_from_source[a.n_vertices() - 1], VertexMap::unmatched);
-    EXPECT_EQ(result.confidence[a.n_vertices() - 1], 0);
-    EXPECT_EQ(count_matched(result.target_from_source), a.n_vertices() - 1);
+TEST_F(LeftOut, HasNoPartnerInAMapThatIsGiven) {
     const VertexMap map({0, 1, 2}, 4);
     TriangleMesh source{Points::Zero(3, 3), {}, {}, {0}}, target{Points::Zero(4, 3), {}, {}, {2}};
     EXPECT_EQ(without_left_out(map, source, target).image(), (std::vector<Index>{-1, 1, -1}));
