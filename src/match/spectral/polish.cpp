@@ -107,7 +107,7 @@ namespace {
 
 // ZoomOut knows nothing of what a person has said. Where it slides away from that, the leader is refined
 // without.
-Map agreeing(const Level& whole, const Map& leader, Map grown) {
+Map agreeing(const Level& whole, const Map& leader, const Map& grown) {
     const Map kept = spread_over(whole, leader);
     const bool is_lost = kept.score.disagreement < grown.score.disagreement && kept.rank() > grown.rank();
     return is_lost ? Refiner(whole)(kept, whole.tuning.polish.given) : grown;
@@ -121,8 +121,7 @@ Polished polish(Contenders contenders, const Level& whole, std::size_t n_runners
     Polished result;
     if (near.is_one) {
         result.best = refined_near_isometry(whole, near, progress.part(0, 0.9));
-        if (!whole.pair.priors.empty())
-            result.best = agreeing(whole, contenders.leader(), std::move(result.best));
+        if (!whole.pair.priors.empty()) result.best = agreeing(whole, contenders.leader(), result.best);
         contenders.keep({1, 0}, MapDistance(whole.pair), whole.tuning.race.distinct);
     } else {
         result.best = polished_unlike(contenders, whole, progress.part(0, 0.9));
