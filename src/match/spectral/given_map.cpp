@@ -40,7 +40,7 @@ std::vector<Index> forward(const PreparedShape& a, const PreparedShape& b, const
     return image;
 }
 
-Map better(Map x, Map y) { return y.rank() > x.rank() ? y : x; }
+Map better(const Map& x, const Map& y) { return y.rank() > x.rank() ? y : x; }
 
 }  // namespace
 
@@ -53,11 +53,10 @@ Map given_map(const Level& whole, const VertexMap& target_from_source) {
     return scored(whole, pinned(std::move(maps), whole.pair.priors.pins()));
 }
 
-Polished polish_given(Map given, const Level& whole, const ProgressRange& progress) {
+Polished polish_given(const Map& given, const Level& whole, const ProgressRange& progress) {
     Map best = better(given, Refiner(whole)(given, whole.tuning.polish.given, {}, progress.part(0, 0.5)));
     const NearIsometry near = grown_near_isometry(whole, best);
-    if (near.is_one)
-        best = better(std::move(best), refined_near_isometry(whole, near, progress.part(0.5, 1)));
+    if (near.is_one) best = better(best, refined_near_isometry(whole, near, progress.part(0.5, 1)));
     progress.reach(1);
     return {std::move(best), {}};
 }

@@ -16,6 +16,6 @@ Map given_map(const Level& whole, const VertexMap& target_from_source);
 /// Stage 5 from a map instead of a race. Where it is nearly an isometry it is grown by ZoomOut; in any case
 /// its last rounds of refinement run on all vertices, with both maps pulling. What equation 4 likes best is
 /// taken, and that may be the map as it was given: it never gets worse.
-Polished polish_given(Map given, const Level& whole, const ProgressRange& progress);
+Polished polish_given(const Map& given, const Level& whole, const ProgressRange& progress);
 
 }  // namespace counterpart::spectral_match
