@@ -78,7 +78,7 @@ struct SpectralOptions {
     bool symmetric = false;  ///< return the orientation-reversing map on purpose: left to right
     /// A map from source to target vertices (-1 = unmatched) to be refined instead of searching one: what was
     /// drawn by hand, composed of other maps, or found before. Of the given map and what refinement makes of
-    /// it the one with the better score is returned. Takes a fifth of a search's time.
+    /// it the one with the better score is returned.
     std::optional<VertexMap> initial{};
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
     int n_threads = 0;       ///< 0 = all; does not change the result

@@ -277,7 +277,7 @@ struct PolishTuning {
     double slack = 0.02;  ///< the last refinement counts unless equation 4 falls by more
     int runner_up_size =
         100;  ///< eigenfunctions by which a map that was not taken is spread over all vertices
-    double lift_length = 0.06;  ///< likewise where a map is carried to more vertices
+    double lift_length = 0.06;  ///< as Schedule::last_length, where a map is carried to more vertices
     int n_lift_iterations = 8;
 };
 
