@@ -66,7 +66,7 @@ def python_functions() -> None:
     def page(row: re.Match[str]) -> str:
         name = row[1]
         (folder / f"{name}.md").write_text(
-            f"# {name}\n\n::: counterpart.{name}\n    options:\n      show_root_heading: false\n"
+            f"# {name}\n\n::: counterpart3d.{name}\n    options:\n      show_root_heading: false\n"
         )
         return f"| [`{name}`](python/{name}.md) |"
 

@@ -29,7 +29,7 @@ pack() {
   mkdir -p build/sources build/sdist
   git ls-files -z --cached --others --exclude-standard | tar --null -T - -c | tar -x -C build/sources
   build/wheel-venv/bin/python -m build --sdist --no-isolation --outdir dist build/sources
-  tar -xzf dist/counterpart-*.tar.gz -C build/sdist --strip-components 1
+  tar -xzf dist/counterpart3d-*.tar.gz -C build/sdist --strip-components 1
 }
 
 # make: the wheel, repaired, in dist/.
@@ -63,7 +63,7 @@ require_own_libraries() {
   local folder=build/unpacked
   rm -rf "$folder"
   python3 -m zipfile -e "$1" "$folder"
-  if nm -D --defined-only "$folder"/counterpart/_core*.so | grep -E ' [TDBR] ' | grep -v ' PyInit__core$'; then
+  if nm -D --defined-only "$folder"/counterpart3d/_core*.so | grep -E ' [TDBR] ' | grep -v ' PyInit__core$'; then
     echo "wheel: the module shows these symbols to others" >&2
     exit 1
   fi
@@ -72,13 +72,13 @@ require_own_libraries() {
     sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p' | sort -u)
   [ -n "$needed" ]
   for library in $needed; do
-    [[ -e $folder/counterpart.libs/$library || $library =~ ^(lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux) ]] ||
+    [[ -e $folder/counterpart3d.libs/$library || $library =~ ^(lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux) ]] ||
       { echo "wheel: needs the system's $library" >&2; exit 1; }
   done
-  for library in "$folder"/counterpart.libs/*; do
+  for library in "$folder"/counterpart3d.libs/*; do
     [[ $(basename "$library") =~ -[0-9a-f]{8}\. ]] || { echo "wheel: $library may be taken for another" >&2; exit 1; }
   done
-  du -h --apparent-size "$folder"/counterpart.libs/* "$folder"/counterpart/_core*.so | sort -rh | head -n 5
+  du -h --apparent-size "$folder"/counterpart3d.libs/* "$folder"/counterpart3d/_core*.so | sort -rh | head -n 5
 }
 
 # check WHEEL PYTHON: size, libraries, and the tests in a clean environment.
@@ -98,7 +98,7 @@ check() {
 }
 
 # What was built before may be of other sources: in the source distribution, all files have one time.
-rm -rf build/sdist dist/counterpart-*
+rm -rf build/sdist dist/counterpart3d-*
 mkdir -p dist
 scripts/static_png.sh build/png
 for python in "${@:-python3}"; do

@@ -14,14 +14,14 @@ import pathlib
 import sys
 import time
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 from pyFM.functional import FunctionalMapping
 from pyFM.mesh import TriMesh
 
 
 def with_counterpart(source, target, landmarks):
-    return counterpart.match(source, target).target_from_source
+    return cp.match(source, target).target_from_source
 
 
 def with_pyfm(source, target, landmarks):
@@ -65,13 +65,13 @@ def main():
     for source, target in pairs:
         files = [str(folder / f"{name}.off") for name in (source, target)]
         truth = truth_of(folder, source, target)
-        from_first = counterpart.distances(files[0], truth[0, 0])[0][truth[:, 0]]
+        from_first = cp.distances(files[0], truth[0, 0])[0][truth[:, 0]]
         landmarks = truth[from_first.argsort()[:: len(truth) // 5][:5]]  # near to far
         for name, way in WAYS.items():
             start, used = time.perf_counter(), time.process_time()
             image = way(*files, landmarks)
             seconds, cpu = time.perf_counter() - start, time.process_time() - used
-            error = counterpart.evaluate(*files, image, truth).mean_error
+            error = cp.evaluate(*files, image, truth).mean_error
             rows[name].append((seconds, cpu, error))
             print(f"{source} {target} {name:24} {seconds:7.1f} s {cpu:7.1f} s CPU  error {error:6.2f}", flush=True)
     print("\n| | lines | seconds | CPU seconds | mean error | median pair | flipped |\n|---|---|---|---|---|---|---|")

@@ -21,7 +21,7 @@ import timeit
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 
 IMPORT = """
@@ -47,13 +47,13 @@ def import_seconds(module: str, repetitions: int) -> dict[str, float]:
 
 
 def call_microseconds(repetitions: int) -> dict[str, float]:
-    mesh = counterpart.make_icosphere(0)
+    mesh = cp.make_icosphere(0)
     arrays = (np.array(mesh.vertices), np.array(mesh.triangles))
     identity = np.arange(mesh.n_vertices, dtype=np.int32)
     calls = {
-        "map_quality of 12 vertices": lambda: counterpart.map_quality(arrays, arrays, identity),
-        "match of 12 vertices": lambda: counterpart.match(arrays, arrays, n_threads=1),
-        "vertex_areas of 12 vertices": lambda: counterpart.vertex_areas(arrays),
+        "map_quality of 12 vertices": lambda: cp.map_quality(arrays, arrays, identity),
+        "match of 12 vertices": lambda: cp.match(arrays, arrays, n_threads=1),
+        "vertex_areas of 12 vertices": lambda: cp.vertex_areas(arrays),
     }
     return {
         name: min(timeit.repeat(call, number=20, repeat=50 * repetitions)) / 20 * 1e6 for name, call in calls.items()
@@ -67,10 +67,10 @@ def megabytes_beyond_the_result() -> float:
     vertices[:, 0], vertices[:, 1] = i.ravel() % n, i.ravel() // n
     corners = [(i[:-1, :-1], i[:-1, 1:], i[1:, 1:]), (i[:-1, :-1], i[1:, 1:], i[1:, :-1])]
     triangles = np.concatenate([np.stack(three, -1).reshape(-1, 3) for three in corners])
-    counterpart.vertex_areas(counterpart.make_grid(2, 2))
+    cp.vertex_areas(cp.make_grid(2, 2))
     pathlib.Path("/proc/self/clear_refs").write_text("5")  # the peak starts anew
     before = peak_megabytes()
-    areas = counterpart.vertex_areas((vertices, triangles))
+    areas = cp.vertex_areas((vertices, triangles))
     return peak_megabytes() - before - areas.nbytes / 1e6
 
 
@@ -80,11 +80,11 @@ def peak_megabytes() -> float:
 
 
 def eight_threads(repetitions: int) -> dict[str, float]:
-    source = counterpart.make_body(1)
-    target, _ = counterpart.shuffle(counterpart.deform(source, bend=0.5))
+    source = cp.make_body(1)
+    target, _ = cp.shuffle(cp.deform(source, bend=0.5))
 
     def work(_: int) -> bytes:
-        return counterpart.match(source, target, "frontiers", n_threads=1).target_from_source.tobytes()
+        return cp.match(source, target, "frontiers", n_threads=1).target_from_source.tobytes()
 
     count, rows = 240, []
     for _ in range(repetitions):
@@ -104,13 +104,13 @@ def until(moment: float) -> Callable[[float], bool]:
 
 def cancel_seconds(repetitions: int) -> dict[str, float]:
     """From the wish to stop, at a random time of the work on 100 000 vertices, until it has: the longest."""
-    body = counterpart.subdivide(counterpart.make_body(3))  # 73 000
-    torus = counterpart.make_torus(400, 250)  # regular: here the frontiers search longest
+    body = cp.subdivide(cp.make_body(3))  # 73 000
+    torus = cp.make_torus(400, 250)  # regular: here the frontiers search longest
     calls: dict[str, Callable[[Callable[[float], bool] | None], object]] = {
-        "SpectralShape": lambda report: counterpart.SpectralShape(torus, progress=report),
-        "match_spectral": lambda report: counterpart.match_spectral(body, body, progress=report),
-        "match_frontiers": lambda report: counterpart.match_frontiers(body, body, progress=report),
-        "match_frontiers, torus": lambda report: counterpart.match_frontiers(torus, torus, progress=report),
+        "SpectralShape": lambda report: cp.SpectralShape(torus, progress=report),
+        "match_spectral": lambda report: cp.match_spectral(body, body, progress=report),
+        "match_frontiers": lambda report: cp.match_frontiers(body, body, progress=report),
+        "match_frontiers, torus": lambda report: cp.match_frontiers(torus, torus, progress=report),
     }
     draw = random.Random(1)
     longest = {}
@@ -123,14 +123,14 @@ def cancel_seconds(repetitions: int) -> dict[str, float]:
             wish = time.perf_counter() + draw.uniform(0, whole)
             try:
                 call(until(wish))
-            except counterpart.Canceled:
+            except cp.Canceled:
                 longest[name] = max(longest[name], time.perf_counter() - wish)
     return longest
 
 
 def main() -> None:
     repetitions = int(sys.argv[1]) if len(sys.argv) > 1 else 7
-    for module in ("counterpart", "numpy"):
+    for module in ("counterpart3d", "numpy"):
         print(json.dumps({"measurement": f"import {module}", **import_seconds(module, repetitions)}), flush=True)
     for name, microseconds in call_microseconds(repetitions).items():
         print(json.dumps({"measurement": name, "microseconds": microseconds}), flush=True)

@@ -5,15 +5,15 @@
 import pathlib
 import sys
 
-import counterpart
+import counterpart3d as cp
 
 
 def write_pair() -> tuple[pathlib.Path, pathlib.Path]:
     """A figure, and another triangulation of it in another pose, in the folder given or here; the paths."""
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".")
-    body = counterpart.make_body(0)
-    other, _ = counterpart.shuffle(counterpart.subdivide(counterpart.deform(body, bend=0.8)))
+    body = cp.make_body(0)
+    other, _ = cp.shuffle(cp.subdivide(cp.deform(body, bend=0.8)))
     paths = folder / "a.ply", folder / "b.ply"
     for mesh, path in zip((body, other), paths, strict=True):
-        counterpart.write(mesh, path)
+        cp.write(mesh, path)
     return paths

@@ -4,15 +4,15 @@
 
 import os
 
-import counterpart
+import counterpart3d as cp
 import polyscope as ps
 from meshes import write_pair
 
 file_a, file_b = write_pair()
 
-a, b = counterpart.read(file_a), counterpart.read(file_b)
-result = counterpart.match(a, b)
-height = counterpart.transfer_values(a, b, result, a.vertices[:, 1])
+a, b = cp.read(file_a), cp.read(file_b)
+result = cp.match(a, b)
+height = cp.transfer_values(a, b, result, a.vertices[:, 1])
 
 ps.set_allow_headless_backends(True)
 ps.init()

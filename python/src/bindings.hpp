@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The functions of the module, by subject. They take arrays of one type and layout and return arrays, numbers
-// and dictionaries: python/counterpart/*.py gives them the face that users see.
+// and dictionaries: python/counterpart3d/*.py gives them the face that users see.
 #pragma once
 
 #include <nanobind/nanobind.h>

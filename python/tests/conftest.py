@@ -3,36 +3,36 @@
 import os
 import shutil
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 import pytest
 
 
 @pytest.fixture(scope="session")
 def body():
-    return counterpart.make_body(0)
+    return cp.make_body(0)
 
 
 @pytest.fixture(scope="session")
 def pair(body):
     """The body, bent and shuffled, and the true map."""
-    other, truth = counterpart.shuffle(counterpart.deform(body, bend=0.5), 3)
+    other, truth = cp.shuffle(cp.deform(body, bend=0.5), 3)
     return body, other, truth
 
 
 @pytest.fixture(scope="session")
 def blobs():
     """The smallest shapes that the spectral method takes its usual way with: 42 vertices."""
-    blob = counterpart.deform(counterpart.make_icosphere(1), warp=0.3, seed=2)
-    return blob, counterpart.deform(blob, twist=0.2)
+    blob = cp.deform(cp.make_icosphere(1), warp=0.3, seed=2)
+    return blob, cp.deform(blob, twist=0.2)
 
 
 @pytest.fixture(scope="session")
 def scans():
     """Two poses in different triangulations, and the true map of the source's vertices."""
-    source = counterpart.make_body(0)
-    finer = counterpart.subdivide(counterpart.deform(source, bend=0.4))
-    target, moved = counterpart.shuffle(finer, 5)
+    source = cp.make_body(0)
+    finer = cp.subdivide(cp.deform(source, bend=0.4))
+    target, moved = cp.shuffle(finer, 5)
     return source, target, np.asarray(moved[: source.n_vertices])
 
 

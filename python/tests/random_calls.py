@@ -16,25 +16,25 @@ import tempfile
 import threading
 import time
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 
 # TypeError: of an option that has the wrong type.
-DOCUMENTED = (counterpart.InvalidInput, counterpart.IoError, counterpart.NumericalError, TypeError)
+DOCUMENTED = (cp.InvalidInput, cp.IoError, cp.NumericalError, TypeError)
 FLOATS, ODD_FLOATS = ["f8", "f4", ">f8", "g"], ["f2", "i4", "u1", "?", "c16", "O", "U3"]
 INTEGERS, ODD_INTEGERS = ["i4", "i8", ">i4", "i2", "u8"], ["u4", "u1", "f8", "?", "O", "c16"]
 HUGE = [-1, 2**31 - 1, -(2**31), 2**31, 2**40, -(2**63), 2**63 - 1]
 
-BALL = counterpart.make_icosphere(1)
-BLOB = counterpart.deform(BALL, warp=0.3, seed=2)
+BALL = cp.make_icosphere(1)
+BLOB = cp.deform(BALL, warp=0.3, seed=2)
 SEEDS = [
     BALL,
     BLOB,
-    counterpart.deform(BLOB, twist=0.2),
-    counterpart.shuffle(BLOB, 3)[0],
-    counterpart.make_torus(8, 5),
-    counterpart.make_grid(6, 5),
-    counterpart.Mesh(BLOB.vertices, BLOB.triangles[:60]),
+    cp.deform(BLOB, twist=0.2),
+    cp.shuffle(BLOB, 3)[0],
+    cp.make_torus(8, 5),
+    cp.make_grid(6, 5),
+    cp.Mesh(BLOB.vertices, BLOB.triangles[:60]),
 ]
 
 
@@ -122,7 +122,7 @@ class Calls:
             weights = self.random.dirichlet([1, 1, 1], len(image))
             if self.rarely() and len(weights):
                 weights[0] = self.pick(np.nan, -1, 1e300, np.inf)
-            return counterpart.SurfaceMap(self.handed(image, INTEGERS), self.handed(weights, FLOATS))
+            return cp.SurfaceMap(self.handed(image, INTEGERS), self.handed(weights, FLOATS))
         return self.handed(image, INTEGERS)
 
     def pairs(self):
@@ -142,9 +142,9 @@ class Calls:
         return self.handed(self.random.random((n, width) if width else n), FLOATS)
 
     def spectrum(self, k=6):
-        basis = counterpart.spectrum(self.pick(*SEEDS), k)
+        basis = cp.spectrum(self.pick(*SEEDS), k)
         if self.chance(0.3):
-            return counterpart.Spectrum(
+            return cp.Spectrum(
                 *(self.handed(part, FLOATS) for part in (basis.eigenvalues, basis.eigenfunctions, basis.mass))
             )
         return basis
@@ -162,73 +162,73 @@ class Calls:
         method = self.pick("auto", "auto", "auto", "exact", "frontiers", "nearest", "assignment", odd=["none"])
         a, b = self.mesh(), self.mesh()
         weld, shared = self.pick(None, 0, 0.1, odd=[-1, np.nan]), self.number(0.9, 0.5, 1)
-        return counterpart.match(a, b, method, weld_distance=weld, min_shared=shared, n_threads=self.number(1, 2))
+        return cp.match(a, b, method, weld_distance=weld, min_shared=shared, n_threads=self.number(1, 2))
 
     def call_match_exact(self):
         options = {"allow_mirror": self.pick(True, False), "max_alternatives": self.number(0, 3)}
-        return counterpart.match_exact(self.mesh(), self.mesh(), **options)
+        return cp.match_exact(self.mesh(), self.mesh(), **options)
 
     def call_find_differences(self):
-        return counterpart.find_differences(self.mesh(), self.mesh(), n_threads=self.number(1, 2))
+        return cp.find_differences(self.mesh(), self.mesh(), n_threads=self.number(1, 2))
 
     def call_match_frontiers(self):
         seed = self.number(-1, 0, 41)
         seeds = {"source_seed": seed, "target_seed": self.pick(seed, odd=[-1, 5])}
         how = {"paper": self.pick(True, False), "pairing": self.pick(None, "mutual", "optimal", odd=["none"])}
-        return counterpart.match_frontiers(self.mesh(), self.mesh(), **seeds, **how)
+        return cp.match_frontiers(self.mesh(), self.mesh(), **seeds, **how)
 
     def call_match_spectral(self):
         options = self.shape_options() | {"excluded": self.pairs(), "up": self.direction(), "facing": self.direction()}
         flags = {name: self.pick(True, False) for name in ("soft_landmarks", "aligned", "symmetric")}
         size = {"basis_size": self.number(30), "n_samples": self.number(200)}
-        return counterpart.match_spectral(self.mesh(), self.mesh(), **options, **flags, **size)
+        return cp.match_spectral(self.mesh(), self.mesh(), **options, **flags, **size)
 
     def call_match_partial(self):
         part = self.pick("unknown", "source", "target", "both", "neither", odd=["none"])
         options = self.shape_options() | {"part": part, "same_scale": self.pick(True, False), "n_samples": 200}
-        return counterpart.match_partial(self.mesh(), self.mesh(), **options)
+        return cp.match_partial(self.mesh(), self.mesh(), **options)
 
     def call_match_nearest(self):
-        return counterpart.match_nearest(self.mesh(), self.mesh(), similarity=self.pick(True, False))
+        return cp.match_nearest(self.mesh(), self.mesh(), similarity=self.pick(True, False))
 
     def call_match_assignment(self):
-        return counterpart.match_assignment(self.mesh(), self.mesh(), max_vertices=self.number(100))
+        return cp.match_assignment(self.mesh(), self.mesh(), max_vertices=self.number(100))
 
     def call_evaluate(self):
         a, b = self.mesh(), self.mesh()
         truth = self.pairs() if self.chance(0.5) else self.map(a)
         levels = self.pick((), [0, 1, 2], odd=([1, 0], [np.nan]))
-        return counterpart.evaluate(a, b, self.map(a), truth, thresholds=levels, n_base_vertices=self.number(0, 3))
+        return cp.evaluate(a, b, self.map(a), truth, thresholds=levels, n_base_vertices=self.number(0, 3))
 
     def call_map_quality(self):
         a = self.mesh()
-        return counterpart.map_quality(a, self.mesh(), self.map(a))
+        return cp.map_quality(a, self.mesh(), self.map(a))
 
     def call_project_map(self):
         a = self.mesh()
         options = {"rings": self.number(2), "passes": self.number(3), "extend": self.number(0, 2)}
-        return counterpart.project_map(a, self.mesh(), self.map(a), **options)
+        return cp.project_map(a, self.mesh(), self.map(a), **options)
 
     def call_invert_map(self):
         a = self.mesh()
-        return counterpart.invert_map(a, self.mesh(), self.map(a))
+        return cp.invert_map(a, self.mesh(), self.map(a))
 
     def call_complete_map(self):
         a = self.mesh()
-        return counterpart.complete_map(a, self.mesh(), self.map(a), max_edges=self.number(1))
+        return cp.complete_map(a, self.mesh(), self.map(a), max_edges=self.number(1))
 
     def call_compose_maps(self):
-        return counterpart.compose_maps(self.map(None), self.map(None))
+        return cp.compose_maps(self.map(None), self.map(None))
 
     def call_transfer_values(self):
         a = self.mesh()
-        return counterpart.transfer_values(a, self.mesh(), self.map(a), self.values(a, self.pick(0, 1, 3)))
+        return cp.transfer_values(a, self.mesh(), self.map(a), self.values(a, self.pick(0, 1, 3)))
 
     def call_map_file(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, self.pick("map.txt", "map.npy", odd=["none/map.txt"]))
-            counterpart.write_map(self.map(None), file, one_based=self.pick(True, False))
-            return counterpart.read_map(file)
+            cp.write_map(self.map(None), file, one_based=self.pick(True, False))
+            return cp.read_map(file)
 
     def call_mesh_file(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -236,8 +236,8 @@ class Calls:
                 folder,
                 "mesh" + self.pick(".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".vtk", ".vtp", odd=[".none"]),
             )
-            counterpart.write(self.mesh(), file)
-            return counterpart.read(file)
+            cp.write(self.mesh(), file)
+            return cp.read(file)
 
     def attributes(self, mesh):
         n = n_vertices(mesh)
@@ -255,56 +255,56 @@ class Calls:
 
     def call_transfer(self):
         a = self.mesh()
-        source, target = counterpart.Mesh(*a, **self.attributes(a)), self.mesh()
-        return counterpart.transfer(source, target, self.map(a), max_influences=self.number(0, 1, 4))
+        source, target = cp.Mesh(*a, **self.attributes(a)), self.mesh()
+        return cp.transfer(source, target, self.map(a), max_influences=self.number(0, 1, 4))
 
     def call_mesh_attributes(self):
         a = self.mesh()
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, self.pick("a.glb", "a.obj", "a.ply"))
-            counterpart.write(counterpart.Mesh(*a, **self.attributes(a)), file)
-            return counterpart.read(file)
+            cp.write(cp.Mesh(*a, **self.attributes(a)), file)
+            return cp.read(file)
 
     def call_reorder(self):
-        return counterpart.reorder(self.mesh(), self.mesh())
+        return cp.reorder(self.mesh(), self.mesh())
 
     def call_morph(self):
         a = self.mesh()
-        return counterpart.morph(a, self.mesh(), self.pick(None, self.map(a)), count=self.pick(0, 1, 3, odd=[-1, 1.5]))
+        return cp.morph(a, self.mesh(), self.pick(None, self.map(a)), count=self.pick(0, 1, 3, odd=[-1, 1.5]))
 
     def call_align(self):
         a = self.mesh()
         how = {"model": self.pick("rigid", "similarity", "affine", odd=["none"]), "icp": self.pick(True, False)}
         how |= {"trim": self.number(0, 0.5), "known_weight": self.number(1, 0), "max_iterations": self.number(5)}
-        return counterpart.align(a, self.mesh(), self.pick(None, self.map(a)), **how)
+        return cp.align(a, self.mesh(), self.pick(None, self.map(a)), **how)
 
     def call_fit(self):
         a = self.mesh()
         options = {"stiffness": self.number(1, 5), "reach": self.number(0.1), "landmarks": self.pairs()}
-        return counterpart.fit(a, self.mesh(), self.map(a), **options)
+        return cp.fit(a, self.mesh(), self.map(a), **options)
 
     def call_spectrum(self):
-        return counterpart.spectrum(self.mesh(), self.number(1, 5, 50))
+        return cp.spectrum(self.mesh(), self.number(1, 5, 50))
 
     def call_functional_map(self):
         a, b = self.spectrum(), self.spectrum()
-        return counterpart.functional_map(self.map(None), a, b, self.pick(None, 3, odd=[0, 99]))
+        return cp.functional_map(self.map(None), a, b, self.pick(None, 3, odd=[0, 99]))
 
     def call_vertex_map(self):
         matrix = self.random.normal(size=(self.pick(6, 3, odd=[9]), self.pick(6, 3, odd=[9])))
-        return counterpart.vertex_map(self.handed(matrix, FLOATS), self.spectrum(), self.spectrum())
+        return cp.vertex_map(self.handed(matrix, FLOATS), self.spectrum(), self.spectrum())
 
     def call_zoom_out(self):
         sizes = {"first": self.number(3), "last": self.number(6, 9), "step": self.number(1, 2)}
-        return counterpart.zoom_out(self.map(None), self.spectrum(), self.spectrum(), **sizes)
+        return cp.zoom_out(self.map(None), self.spectrum(), self.spectrum(), **sizes)
 
     def call_signatures(self):
-        signature = self.pick(counterpart.wave_kernel_signature, counterpart.heat_kernel_signature)
+        signature = self.pick(cp.wave_kernel_signature, cp.heat_kernel_signature)
         return signature(self.spectrum(), self.pick(2, 5, odd=[0, -1]))
 
     def call_distances(self):
         sources = self.handed(self.random.integers(0, 30, 3), INTEGERS)
-        return counterpart.distances(
+        return cp.distances(
             self.mesh(), self.pick(None, sources, 5, odd=[HUGE]), shortcuts=self.pick(True, False)
         )
 
@@ -317,30 +317,30 @@ class Calls:
             {"values": self.values(a, 0), "max_value": self.number(None, 1)},
             {"target": self.mesh(), "target_from_source": self.map(a), "show": self.pick("colors", "checker", "lines")},
         )
-        return counterpart.render(a, size=size, view=view, up=up, n_threads=1, **what).png()
+        return cp.render(a, size=size, view=view, up=up, n_threads=1, **what).png()
 
     def call_view(self):
         a, truth = self.mesh(), self.pick(None, self.pairs())
-        return counterpart.view(a, self.mesh(), {"one": self.map(a), "two": self.map(a)}, truth=truth)
+        return cp.view(a, self.mesh(), {"one": self.map(a), "two": self.map(a)}, truth=truth)
 
     def call_make(self):
         made = self.pick(
-            lambda: counterpart.make_icosphere(self.number(0, 2)),
-            lambda: counterpart.make_torus(self.number(3, 4), self.number(3, 5)),
-            lambda: counterpart.make_grid(self.pick(1, 3, odd=[0, -1]), self.pick(1, 3, odd=[-5])),
-            lambda: counterpart.make_body(self.number(0, 1), symmetric=self.pick(True, False)),
+            lambda: cp.make_icosphere(self.number(0, 2)),
+            lambda: cp.make_torus(self.number(3, 4), self.number(3, 5)),
+            lambda: cp.make_grid(self.pick(1, 3, odd=[0, -1]), self.pick(1, 3, odd=[-5])),
+            lambda: cp.make_body(self.number(0, 1), symmetric=self.pick(True, False)),
         )
         return made()
 
     def call_change(self):
         change = self.pick(
-            counterpart.subdivide,
-            counterpart.inspect,
-            counterpart.vertex_areas,
-            counterpart.vertex_normals,
-            lambda mesh: counterpart.shuffle(mesh, self.number(1, 2)),
-            lambda mesh: counterpart.move_at_random(mesh, self.number(1, 2)),
-            lambda mesh: counterpart.deform(mesh, bend=self.number(0.5), warp=self.number(0.1), twist=self.number(1)),
+            cp.subdivide,
+            cp.inspect,
+            cp.vertex_areas,
+            cp.vertex_normals,
+            lambda mesh: cp.shuffle(mesh, self.number(1, 2)),
+            lambda mesh: cp.move_at_random(mesh, self.number(1, 2)),
+            lambda mesh: cp.deform(mesh, bend=self.number(0.5), warp=self.number(0.1), twist=self.number(1)),
         )
         return change(self.mesh())
 

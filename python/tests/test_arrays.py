@@ -5,17 +5,17 @@
 import subprocess
 import sys
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 import pytest
 import random_calls
-from counterpart import InvalidInput, SurfaceMap
+from counterpart3d import InvalidInput, SurfaceMap
 
-V, T = counterpart.make_icosphere(1)
+V, T = cp.make_icosphere(1)
 
 
 def as_is(mesh):
-    return counterpart.inspect(mesh)
+    return cp.inspect(mesh)
 
 
 @pytest.mark.parametrize("dtype", ["f8", "f4", "f2", ">f8", ">f4", "g", "i1", "i8", "u2", ">i4"])
@@ -64,7 +64,7 @@ def test_read_only_arrays():
     vertices, triangles = V.copy(), T.copy()
     vertices.setflags(write=False)
     triangles.setflags(write=False)
-    assert counterpart.match((vertices, triangles), (V, T)).method == "exact"
+    assert cp.match((vertices, triangles), (V, T)).method == "exact"
 
 
 @pytest.mark.parametrize(
@@ -94,17 +94,17 @@ def test_coordinates_that_are_not_finite(value):
     vertices = V.copy()
     vertices[3, 1] = value
     with pytest.raises(InvalidInput, match="3"):
-        counterpart.match((vertices, T), (V, T))
+        cp.match((vertices, T), (V, T))
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e200])
 @pytest.mark.parametrize(
     "use",
     [
-        lambda bad: counterpart.match_nearest((bad, T), (V, T)),
-        lambda bad: counterpart.match_nearest((V, T), (bad, T)),
-        lambda bad: counterpart.nearest_corners((V, T), SurfaceMap(np.zeros(len(V), int), bad)),
-        lambda bad: counterpart.vertex_map(bad[:3], *2 * [counterpart.spectrum((V, T), 3)]),
+        lambda bad: cp.match_nearest((bad, T), (V, T)),
+        lambda bad: cp.match_nearest((V, T), (bad, T)),
+        lambda bad: cp.nearest_corners((V, T), SurfaceMap(np.zeros(len(V), int), bad)),
+        lambda bad: cp.vertex_map(bad[:3], *2 * [cp.spectrum((V, T), 3)]),
     ],
 )
 def test_nothing_is_nearest_to_what_cannot_be_measured(use, value):
@@ -119,7 +119,7 @@ def test_indices_out_of_range(value):
     triangles = T.copy()
     triangles[7, 2] = value
     with pytest.raises(InvalidInput, match="7"):
-        counterpart.match((V, T), (V, triangles))
+        cp.match((V, T), (V, triangles))
 
 
 @pytest.mark.parametrize("value", [2**31, -(2**31) - 1, 2**40, 2**63 - 1, 2**32])
@@ -133,7 +133,7 @@ def test_indices_beyond_32_bits_do_not_wrap(value):
 @pytest.mark.parametrize("mesh", [None, 5, object(), (V,), (V, T, V), {}, np.zeros((3, 3)), []])
 def test_what_is_no_mesh(mesh):
     with pytest.raises(InvalidInput):
-        counterpart.match(mesh, (V, T))
+        cp.match(mesh, (V, T))
 
 
 @pytest.mark.parametrize(
@@ -142,12 +142,12 @@ def test_what_is_no_mesh(mesh):
 @pytest.mark.parametrize(
     "use",
     [
-        lambda image: counterpart.evaluate((V, T), (V, T), image, np.arange(len(V))),
-        lambda image: counterpart.evaluate((V, T), (V, T), np.arange(len(V)), image),
-        lambda image: counterpart.map_quality((V, T), (V, T), image),
-        lambda image: counterpart.project_map((V, T), (V, T), image),
-        lambda image: counterpart.render((V, T), (V, T), image, size=(64, 64)),
-        lambda image: counterpart.view((V, T), (V, T), image),
+        lambda image: cp.evaluate((V, T), (V, T), image, np.arange(len(V))),
+        lambda image: cp.evaluate((V, T), (V, T), np.arange(len(V)), image),
+        lambda image: cp.map_quality((V, T), (V, T), image),
+        lambda image: cp.project_map((V, T), (V, T), image),
+        lambda image: cp.render((V, T), (V, T), image, size=(64, 64)),
+        lambda image: cp.view((V, T), (V, T), image),
     ],
 )
 def test_maps_that_do_not_fit(use, image):
@@ -158,9 +158,9 @@ def test_maps_that_do_not_fit(use, image):
 def test_seeds_and_options_that_are_none():
     for seeds in ((-2, 0), (0, -2), (-2, -2), (len(V), 0)):
         with pytest.raises(InvalidInput, match="seed"):
-            counterpart.match_frontiers((V, T), (V, T), source_seed=seeds[0], target_seed=seeds[1])
+            cp.match_frontiers((V, T), (V, T), source_seed=seeds[0], target_seed=seeds[1])
     with pytest.raises(InvalidInput, match="source_seed cannot be"):
-        counterpart.match_frontiers((V, T), (V, T), source_seed=1.5, target_seed=0)
+        cp.match_frontiers((V, T), (V, T), source_seed=1.5, target_seed=0)
 
 
 def test_random_calls():
@@ -173,21 +173,21 @@ def test_random_calls():
 def test_what_is_copied(tmp_path):
     """The peak of memory in a call beside its result of 12 MB: a copy of the arrays, 69 MB; none of what was read."""
     script = """
-import numpy as np, counterpart, sys
+import numpy as np, counterpart3d as cp, sys
 n = 1200
 i = np.arange(n * n, dtype=np.int32).reshape(n, n)
 v = np.zeros((n * n, 3)); v[:, 0] = i.ravel() % n; v[:, 1] = i.ravel() // n
 t = np.concatenate([np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:]], -1).reshape(-1, 3),
                     np.stack([i[:-1, :-1], i[1:, 1:], i[1:, :-1]], -1).reshape(-1, 3)])
 assert v.flags.c_contiguous and t.flags.c_contiguous and t.dtype == np.int32
-counterpart.write((v, t), sys.argv[1])
+cp.write((v, t), sys.argv[1])
 def peak():
     lines = open("/proc/self/status").read().splitlines()
     return int(next(line for line in lines if line.startswith("VmHWM")).split()[1]) / 1000
-for mesh in ((v, t), counterpart.read(sys.argv[1])):
+for mesh in ((v, t), cp.read(sys.argv[1])):
     open("/proc/self/clear_refs", "w").write("5")
     before = peak()
-    areas = counterpart.vertex_areas(mesh)
+    areas = cp.vertex_areas(mesh)
     assert abs(areas.sum() - (n - 1) ** 2) < 1e-3
     print(peak() - before)
 """

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 import json
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 import pytest
 
@@ -11,27 +11,27 @@ POINTS = {"nose": [1, 2, 3], "left ear": [-4, 0.5, 6]}
 
 @pytest.mark.parametrize("name", ["a.mrk.json", "a.fcsv", "a.json", "a.csv"])
 def test_files(name, tmp_path):
-    counterpart.write_landmarks(POINTS, tmp_path / name, axes="LPS")
-    found = counterpart.read_landmarks(tmp_path / name)
+    cp.write_landmarks(POINTS, tmp_path / name, axes="LPS")
+    found = cp.read_landmarks(tmp_path / name)
     assert {key: point.tolist() for key, point in found.points.items()} == POINTS
     assert found.axes == ("LPS" if name in ("a.mrk.json", "a.fcsv") else None)
     if found.axes:
-        turned = counterpart.read_landmarks(tmp_path / name, axes="RAS")
+        turned = cp.read_landmarks(tmp_path / name, axes="RAS")
         np.testing.assert_array_equal(turned.points["nose"], [-1, -2, 3])
-        counterpart.write_landmarks(turned, tmp_path / name)
-        assert counterpart.read_landmarks(tmp_path / name).axes == "RAS"
-        with pytest.raises(counterpart.IoError, match="LPS or RAS"):
-            counterpart.write_landmarks(POINTS, tmp_path / name)
+        cp.write_landmarks(turned, tmp_path / name)
+        assert cp.read_landmarks(tmp_path / name).axes == "RAS"
+        with pytest.raises(cp.IoError, match="LPS or RAS"):
+            cp.write_landmarks(POINTS, tmp_path / name)
     else:
-        with pytest.raises(counterpart.IoError, match="LPS or RAS"):
-            counterpart.read_landmarks(tmp_path / name, axes="RAS")
+        with pytest.raises(cp.IoError, match="LPS or RAS"):
+            cp.read_landmarks(tmp_path / name, axes="RAS")
 
 
 def test_json_is_what_slicer_expects(tmp_path):
-    counterpart.write_landmarks(POINTS, tmp_path / "a.mrk.json", axes="RAS")
+    cp.write_landmarks(POINTS, tmp_path / "a.mrk.json", axes="RAS")
     markup = json.loads((tmp_path / "a.mrk.json").read_text())["markups"][0]
     assert markup["coordinateSystem"] == "RAS" and markup["controlPoints"][1]["label"] == "left ear"
-    counterpart.write_landmarks(POINTS, tmp_path / "a.tps")
+    cp.write_landmarks(POINTS, tmp_path / "a.tps")
     assert (tmp_path / "a.tps").read_text() == "LM3=2\n1 2 3\n-4 0.5 6\n"
 
 
@@ -40,14 +40,14 @@ def test_pairs_lead_a_match(pair, tmp_path):
     chosen = [3, 40, 200]
     a = {str(v): source.vertices[v] for v in chosen}
     b = {str(v): target.vertices[truth[v]] for v in reversed(chosen)} | {"other": [0, 0, 0]}
-    pairs = counterpart.landmark_pairs(source, target, a, b)
+    pairs = cp.landmark_pairs(source, target, a, b)
     np.testing.assert_array_equal(pairs, np.column_stack([chosen, truth[chosen]]))
     for bad in ({}, {"nobody": [0, 0, 0]}):
-        with pytest.raises(counterpart.InvalidInput, match="no landmark"):
-            counterpart.landmark_pairs(source, target, a, bad)
+        with pytest.raises(cp.InvalidInput, match="no landmark"):
+            cp.landmark_pairs(source, target, a, bad)
 
 
 def test_two_of_one_name(tmp_path):
     (tmp_path / "a.csv").write_text("nose,1,2,3\nnose,1,2,4\n")
-    with pytest.raises(counterpart.IoError, match="two landmarks 'nose'"):
-        counterpart.read_landmarks(tmp_path / "a.csv")
+    with pytest.raises(cp.IoError, match="two landmarks 'nose'"):
+        cp.read_landmarks(tmp_path / "a.csv")

@@ -4,17 +4,17 @@
 
 import threading
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 import pytest
 
-V, T = counterpart.make_icosphere(2)
+V, T = cp.make_icosphere(2)
 
 
 @pytest.fixture
 def read(tmp_path):
-    counterpart.write(
-        counterpart.Mesh(
+    cp.write(
+        cp.Mesh(
             V,
             T,
             normals=(V, T),
@@ -24,7 +24,7 @@ def read(tmp_path):
         ),
         tmp_path / "a.glb",
     )
-    return counterpart.read(tmp_path / "a.glb")
+    return cp.read(tmp_path / "a.glb")
 
 
 def arrays_of(mesh):
@@ -40,19 +40,19 @@ def test_what_was_read_cannot_be_changed(read):
         with pytest.raises(ValueError, match="WRITEABLE"):
             array.setflags(write=True)
         assert array.copy().flags.writeable
-    counterpart.vertex_normals(read)
+    cp.vertex_normals(read)
 
 
 @pytest.mark.parametrize(
     "made",
     [
-        lambda: counterpart.shuffle((V, T))[0],
-        lambda: counterpart.deform((V, T), bend=0.1),
-        lambda: counterpart.reorder((V, T), (V, T)).mesh,
-        lambda: counterpart.transfer((V, T), (V, T)).mesh,
-        lambda: counterpart.Mesh.from_polygons(V, np.full(len(T), 3), T.ravel()),
-        lambda: counterpart.Mesh(V, T, morphs={"smile": V}),
-        lambda: counterpart.SpectralShape((V, T), basis_size=30, n_samples=200).mesh,
+        lambda: cp.shuffle((V, T))[0],
+        lambda: cp.deform((V, T), bend=0.1),
+        lambda: cp.reorder((V, T), (V, T)).mesh,
+        lambda: cp.transfer((V, T), (V, T)).mesh,
+        lambda: cp.Mesh.from_polygons(V, np.full(len(T), 3), T.ravel()),
+        lambda: cp.Mesh(V, T, morphs={"smile": V}),
+        lambda: cp.SpectralShape((V, T), basis_size=30, n_samples=200).mesh,
     ],
 )
 def test_what_the_library_holds_cannot_be_changed(made):
@@ -63,12 +63,12 @@ def test_what_the_library_holds_cannot_be_changed(made):
 
 
 def test_arrays_of_the_caller_are_checked_at_each_call():
-    mesh = counterpart.Mesh(V.copy(), T.copy())
+    mesh = cp.Mesh(V.copy(), T.copy())
     mesh.triangles[0, 0] = 10**8
-    with pytest.raises(counterpart.InvalidInput, match="100000000"):
-        counterpart.vertex_normals(mesh)
+    with pytest.raises(cp.InvalidInput, match="100000000"):
+        cp.vertex_normals(mesh)
     mesh.triangles[0, 0] = T[0, 0]
-    np.testing.assert_array_equal(counterpart.vertex_normals(mesh), counterpart.vertex_normals((V, T)))
+    np.testing.assert_array_equal(cp.vertex_normals(mesh), cp.vertex_normals((V, T)))
 
 
 def test_other_threads_may_change_arrays_meanwhile():
@@ -87,12 +87,12 @@ def test_other_threads_may_change_arrays_meanwhile():
     thread.start()
     ended = set()
     calls = (
-        counterpart.vertex_normals,
-        counterpart.inspect,
-        counterpart.distances,
-        lambda mesh: counterpart.match(mesh, (V, T)),
-        lambda mesh: counterpart.invert_map((V, T), mesh, np.arange(len(V))),
-        lambda mesh: counterpart.render(mesh, size=(32, 24)),
+        cp.vertex_normals,
+        cp.inspect,
+        cp.distances,
+        lambda mesh: cp.match(mesh, (V, T)),
+        lambda mesh: cp.invert_map((V, T), mesh, np.arange(len(V))),
+        lambda mesh: cp.render(mesh, size=(32, 24)),
     )
     try:
         for _ in range(100):
@@ -100,7 +100,7 @@ def test_other_threads_may_change_arrays_meanwhile():
                 try:
                     call((vertices, triangles))
                     ended.add("returned")
-                except (counterpart.InvalidInput, counterpart.NumericalError):
+                except (cp.InvalidInput, cp.NumericalError):
                     ended.add("refused")
     finally:
         stop.set()

@@ -8,7 +8,7 @@ import pathlib
 import pickle
 import re
 
-import counterpart
+import counterpart3d as cp
 import numpy as np
 import pytest
 
@@ -23,10 +23,10 @@ def same(a, b):
         return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
     if isinstance(a, (list, tuple)):
         return len(a) == len(b) and all(map(same, a, b))
-    if isinstance(a, counterpart.Mesh):
+    if isinstance(a, cp.Mesh):
         names = "vertices triangles polygons normals texture_coordinates colors skin morphs values notices"
         return all(same(getattr(a, name), getattr(b, name)) for name in names.split())
-    if isinstance(a, counterpart.View):
+    if isinstance(a, cp.View):
         return a.html == b.html
     return same(vars(a), vars(b)) if hasattr(a, "__dict__") else a == b or (a != a and b != b)
 
@@ -34,7 +34,7 @@ def same(a, b):
 def attributed(body, **changed):
     n = body.n_vertices
     skin = np.zeros((n, 2), int), np.full((n, 2), 0.5)
-    return counterpart.Mesh(
+    return cp.Mesh(
         body.vertices,
         body.triangles,
         normals=(body.vertices, body.triangles),
@@ -52,37 +52,37 @@ def objects(blobs, pair, tmp_path_factory):
     folder = tmp_path_factory.mktemp("objects")
     a, b = blobs
     source, target, truth = pair
-    quads = counterpart.Mesh.from_polygons(
+    quads = cp.Mesh.from_polygons(
         [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]], [4, 3], [0, 1, 2, 3, 0, 1, 4]
     )
-    counterpart.write(quads, folder / "quads.obj")
-    counterpart.write(attributed(source, skin=None), folder / "rig.glb")
-    spectral = counterpart.match(a, b, "spectral", **QUICK)
-    basis = counterpart.spectrum(a, 8)
-    points = counterpart.project_map(source, target, truth)
+    cp.write(quads, folder / "quads.obj")
+    cp.write(attributed(source, skin=None), folder / "rig.glb")
+    spectral = cp.match(a, b, "spectral", **QUICK)
+    basis = cp.spectrum(a, 8)
+    points = cp.project_map(source, target, truth)
     return {
         "made": source,
         "polygons": quads,
-        "read": counterpart.read(folder / "quads.obj"),
+        "read": cp.read(folder / "quads.obj"),
         "attributes": attributed(source),
-        "rig": counterpart.read(folder / "rig.glb"),
-        "exact": counterpart.match(source, target),
-        "differences": counterpart.match(source, (target.vertices, target.triangles[1:])),
-        "frontiers": counterpart.match_frontiers(source, target),
+        "rig": cp.read(folder / "rig.glb"),
+        "exact": cp.match(source, target),
+        "differences": cp.match(source, (target.vertices, target.triangles[1:])),
+        "frontiers": cp.match_frontiers(source, target),
         "spectral": spectral,
-        "partial": counterpart.match_partial(*map(counterpart.subdivide, blobs), n_samples=200),
+        "partial": cp.match_partial(*map(cp.subdivide, blobs), n_samples=200),
         "points": points,
-        "evaluation": counterpart.evaluate(source, target, truth, truth),
-        "quality": counterpart.map_quality(source, target, truth),
+        "evaluation": cp.evaluate(source, target, truth, truth),
+        "quality": cp.map_quality(source, target, truth),
         "spectrum": basis,
-        "zoom_out": counterpart.zoom_out(np.arange(a.n_vertices), basis, basis, first=3, last=6, step=1),
-        "transfer": counterpart.transfer(attributed(source), target, truth),
-        "reorder": counterpart.reorder(source, target),
-        "morph": counterpart.morph(source, source, count=2),
-        "align": counterpart.align(source, target, truth),
-        "fit": counterpart.fit(a, b, np.arange(a.n_vertices)),
-        "picture": counterpart.render(a, size=(40, 30)),
-        "view": counterpart.view(a, b, spectral),
+        "zoom_out": cp.zoom_out(np.arange(a.n_vertices), basis, basis, first=3, last=6, step=1),
+        "transfer": cp.transfer(attributed(source), target, truth),
+        "reorder": cp.reorder(source, target),
+        "morph": cp.morph(source, source, count=2),
+        "align": cp.align(source, target, truth),
+        "fit": cp.fit(a, b, np.arange(a.n_vertices)),
+        "picture": cp.render(a, size=(40, 30)),
+        "view": cp.view(a, b, spectral),
     }
 
 
@@ -96,11 +96,11 @@ def test_everything_is_pickled_and_copied(objects):
 
 def test_what_was_pickled_is_used_as_before(objects, tmp_path):
     rig = pickle.loads(pickle.dumps(objects["rig"]))
-    counterpart.write(objects["rig"], tmp_path / "a.glb")
-    counterpart.write(rig, tmp_path / "b.glb")
+    cp.write(objects["rig"], tmp_path / "a.glb")
+    cp.write(rig, tmp_path / "b.glb")
     assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "b.glb").read_bytes()
-    counterpart.write(pickle.loads(pickle.dumps(objects["read"])), tmp_path / "b.obj")
-    assert counterpart.read(tmp_path / "b.obj").polygons is not None
+    cp.write(pickle.loads(pickle.dumps(objects["read"])), tmp_path / "b.obj")
+    assert cp.read(tmp_path / "b.obj").polygons is not None
 
 
 def test_pickles_are_small(objects):
@@ -113,35 +113,35 @@ def test_pickles_are_small(objects):
 
 def test_exceptions_keep_their_words():
     for kind in ("InvalidInput", "UnsuitableMesh", "IoError", "NumericalError", "Canceled"):
-        error = pickle.loads(pickle.dumps(getattr(counterpart, kind)("vertex 3")))
-        assert type(error) is getattr(counterpart, kind) and str(error) == "vertex 3"
+        error = pickle.loads(pickle.dumps(getattr(cp, kind)("vertex 3")))
+        assert type(error) is getattr(cp, kind) and str(error) == "vertex 3"
 
 
 def test_prepared_shapes(blobs):
     a, b = blobs
-    shape = counterpart.SpectralShape(a, **QUICK)
+    shape = cp.SpectralShape(a, **QUICK)
     other = pickle.loads(pickle.dumps(shape))
     assert same(other.mesh, shape.mesh) and repr(other) == repr(shape)
-    expected = counterpart.match(a, b, "spectral", **QUICK).target_from_source
+    expected = cp.match(a, b, "spectral", **QUICK).target_from_source
     for source in (shape, other, copy.deepcopy(shape)):
-        found = counterpart.match(source, counterpart.SpectralShape(b, **QUICK), "spectral")
+        found = cp.match(source, cp.SpectralShape(b, **QUICK), "spectral")
         np.testing.assert_array_equal(found.target_from_source, expected)
 
 
 def matched(pair):
     """A work item for another process."""
-    return counterpart.match(*pair).target_from_source
+    return cp.match(*pair).target_from_source
 
 
 @pytest.fixture(scope="module")
 def meshes(tmp_path_factory):
     """Five poses of one mesh, each in an order of its own, as files: read ones could not be sent before."""
     folder = tmp_path_factory.mktemp("meshes")
-    body = counterpart.make_body(0)
+    body = cp.make_body(0)
     for i in range(5):
-        mesh, _ = counterpart.shuffle(counterpart.deform(body, bend=0.1 * i), i + 1)
-        counterpart.write(mesh, folder / f"{i}.ply")
-    return [counterpart.read(folder / f"{i}.ply") for i in range(5)]
+        mesh, _ = cp.shuffle(cp.deform(body, bend=0.1 * i), i + 1)
+        cp.write(mesh, folder / f"{i}.ply")
+    return [cp.read(folder / f"{i}.ply") for i in range(5)]
 
 
 def all_pairs(meshes):

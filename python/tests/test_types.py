@@ -8,11 +8,11 @@ import inspect
 import pathlib
 import re
 
-import counterpart
+import counterpart3d as cp
 import pytest
-from counterpart import _core
+from counterpart3d import _core
 
-FOLDER = pathlib.Path(counterpart.__file__).parent
+FOLDER = pathlib.Path(cp.__file__).parent
 
 
 def public(names):
@@ -40,7 +40,7 @@ def test_the_page_lists_everything():
     if not page.exists():
         pytest.skip("not in the repository")
     listed = dict(re.findall(r"^\| `(\w+)` \| (.*) \|$", page.read_text(), re.MULTILINE))
-    values = {name: getattr(counterpart, name) for name in counterpart.__all__}
+    values = {name: getattr(cp, name) for name in cp.__all__}
     expected = {name for name, value in values.items() if inspect.isfunction(value) or inspect.isclass(value)}
     assert listed.keys() == expected
     for name, words in listed.items():
@@ -48,8 +48,8 @@ def test_the_page_lists_everything():
 
 
 def test_help_describes_every_field():
-    for name in counterpart.__all__:
-        value = getattr(counterpart, name)
+    for name in cp.__all__:
+        value = getattr(cp, name)
         if dataclasses.is_dataclass(value):
             described = re.findall(r"^(\w+) : \S.*\n    \S", inspect.getdoc(value), re.MULTILINE)
             assert described == [field.name for field in dataclasses.fields(value)], name
@@ -67,7 +67,7 @@ def test_mypy_refuses_what_is_no_mesh(tmp_path):
     file = tmp_path / "calls.py"
     file.write_text(
         """import numpy as np
-import counterpart as cp
+import counterpart3d as cp
 
 v, t = cp.make_icosphere(1)
 shape = cp.SpectralShape((v, t))
@@ -87,9 +87,9 @@ cp.map_quality((v, t), (v, t), 3.5)
 
 
 def test_every_function_and_class_says_what_it_does():
-    for name in counterpart.__all__:
-        value = getattr(counterpart, name)
-        if inspect.isfunction(value) or (inspect.isclass(value) and value.__module__.startswith("counterpart")):
+    for name in cp.__all__:
+        value = getattr(cp, name)
+        if inspect.isfunction(value) or (inspect.isclass(value) and value.__module__.startswith("counterpart3d")):
             assert value.__doc__ and not value.__doc__.startswith(name + "("), name
             if inspect.isfunction(value) and len(inspect.signature(value).parameters) > 4:
                 assert "Parameters\n" in value.__doc__, name

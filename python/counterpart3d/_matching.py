@@ -113,10 +113,10 @@ def match(
 
     Examples
     --------
-    >>> import counterpart
-    >>> a = counterpart.make_body(0)
-    >>> b, truth = counterpart.shuffle(counterpart.deform(a, bend=0.5))
-    >>> result = counterpart.match(a, b)
+    >>> import counterpart3d as cp
+    >>> a = cp.make_body(0)
+    >>> b, truth = cp.shuffle(cp.deform(a, bend=0.5))
+    >>> result = cp.match(a, b)
     >>> result.method, bool((result.target_from_source == truth).all())
     ('exact', True)
     """

@@ -104,8 +104,8 @@ def render(
 
     Examples
     --------
-    >>> import counterpart
-    >>> counterpart.render(counterpart.make_torus(), size=(64, 48)).shape
+    >>> import counterpart3d as cp
+    >>> cp.render(cp.make_torus(), size=(64, 48)).shape
     (48, 64, 3)
     """
     options = _core.PictureOptions()

@@ -154,10 +154,10 @@ def evaluate(
 
     Examples
     --------
-    >>> import counterpart
-    >>> a = counterpart.make_body(0)
-    >>> b, truth = counterpart.shuffle(a)
-    >>> counterpart.evaluate(a, b, counterpart.match(a, b), truth).mean_error
+    >>> import counterpart3d as cp
+    >>> a = cp.make_body(0)
+    >>> b, truth = cp.shuffle(a)
+    >>> cp.evaluate(a, b, cp.match(a, b), truth).mean_error
     0.0
     """
     begin, end = core_mesh(source), core_mesh(target)

@@ -44,8 +44,8 @@ class Mesh:
 
     Examples
     --------
-    >>> import counterpart
-    >>> mesh = counterpart.make_icosphere(2)
+    >>> import counterpart3d as cp
+    >>> mesh = cp.make_icosphere(2)
     >>> mesh
     Mesh(162 vertices, 320 triangles)
     >>> vertices, triangles = mesh
@@ -119,8 +119,8 @@ class Mesh:
 
         Examples
         --------
-        >>> import counterpart
-        >>> square = counterpart.Mesh.from_polygons([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [4], [0, 1, 2, 3])
+        >>> import counterpart3d as cp
+        >>> square = cp.Mesh.from_polygons([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [4], [0, 1, 2, 3])
         >>> square
         Mesh(4 vertices, 2 triangles, 1 polygons)
         """
@@ -381,8 +381,8 @@ def inspect(mesh: MeshLike) -> dict[str, Any]:
 
     Examples
     --------
-    >>> import counterpart
-    >>> report = counterpart.inspect(counterpart.make_torus())
+    >>> import counterpart3d as cp
+    >>> report = cp.inspect(cp.make_torus())
     >>> report["components"][0]["genus"], report["is_closed"]
     (1, True)
     """

@@ -42,10 +42,10 @@ class SpectralShape:
 
     Examples
     --------
-    >>> import counterpart, os, tempfile
+    >>> import counterpart3d as cp, os, tempfile
     >>> file = os.path.join(tempfile.mkdtemp(), "body.shape")
-    >>> counterpart.SpectralShape(counterpart.make_body(0)).save(file)
-    >>> counterpart.SpectralShape.load(file)
+    >>> cp.SpectralShape(cp.make_body(0)).save(file)
+    >>> cp.SpectralShape.load(file)
     SpectralShape(286 vertices)
     """
 
@@ -147,9 +147,9 @@ def match_spectral(
 
     Examples
     --------
-    >>> import counterpart
-    >>> a, b = counterpart.make_body(0), counterpart.deform(counterpart.make_body(0), bend=0.5)
-    >>> result = counterpart.match_spectral(counterpart.SpectralShape(a), counterpart.SpectralShape(b))
+    >>> import counterpart3d as cp
+    >>> a, b = cp.make_body(0), cp.deform(cp.make_body(0), bend=0.5)
+    >>> result = cp.match_spectral(cp.SpectralShape(a), cp.SpectralShape(b))
     >>> float(result.confidence.mean()) > 0.8
     True
     """
@@ -223,10 +223,10 @@ def match_partial(
 
     Examples
     --------
-    >>> import counterpart
-    >>> whole = counterpart.make_body(1)
-    >>> part = counterpart.Mesh(whole.vertices, whole.triangles[whole.vertices[whole.triangles, 1].mean(axis=1) > 0.5])
-    >>> result = counterpart.match_partial(part, whole, same_scale=True)
+    >>> import counterpart3d as cp
+    >>> whole = cp.make_body(1)
+    >>> part = cp.Mesh(whole.vertices, whole.triangles[whole.vertices[whole.triangles, 1].mean(axis=1) > 0.5])
+    >>> result = cp.match_partial(part, whole, same_scale=True)
     >>> result.part
     'source'
     """

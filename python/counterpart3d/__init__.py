@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Which point of mesh B is this point of mesh A?
 
->>> import counterpart
->>> a = counterpart.make_body()
->>> b, truth = counterpart.shuffle(counterpart.deform(a, bend=1.0))
->>> result = counterpart.match(a, b)
+>>> import counterpart3d as cp
+>>> a = cp.make_body()
+>>> b, truth = cp.shuffle(cp.deform(a, bend=1.0))
+>>> result = cp.match(a, b)
 >>> result.method
 'exact'
->>> picture = counterpart.render(a, b, result, size=(320, 200))
+>>> picture = cp.render(a, b, result, size=(320, 200))
 """
 
 from . import _core

@@ -64,8 +64,8 @@ def spectrum(mesh: MeshLike, k: int = 100, *, progress: ProgressLike = None) -> 
 
     Examples
     --------
-    >>> import counterpart
-    >>> counterpart.spectrum(counterpart.make_icosphere(3), 4).eigenvalues.round(1)
+    >>> import counterpart3d as cp
+    >>> cp.spectrum(cp.make_icosphere(3), 4).eigenvalues.round(1)
     array([0., 2., 2., 2.])
     """
     with reporting(progress, "eigenfunctions") as report:

@@ -145,11 +145,11 @@ def reorder(
 
     Examples
     --------
-    >>> import counterpart
-    >>> a = counterpart.make_body(0)
-    >>> shuffled, _ = counterpart.shuffle(counterpart.deform(a, bend=0.5))
-    >>> restored = counterpart.reorder(a, shuffled).mesh
-    >>> bool((restored.vertices == counterpart.deform(a, bend=0.5).vertices).all())
+    >>> import counterpart3d as cp
+    >>> a = cp.make_body(0)
+    >>> shuffled, _ = cp.shuffle(cp.deform(a, bend=0.5))
+    >>> restored = cp.reorder(a, shuffled).mesh
+    >>> bool((restored.vertices == cp.deform(a, bend=0.5).vertices).all())
     True
     """
     options = exact_options(allow_mirror, weld_distance)
@@ -303,9 +303,9 @@ def fit(
 
     Examples
     --------
-    >>> import counterpart
-    >>> template, scan = counterpart.make_icosphere(2), counterpart.make_icosphere(3)
-    >>> fitted = counterpart.fit(template, scan, counterpart.match_nearest(template, scan))
+    >>> import counterpart3d as cp
+    >>> template, scan = cp.make_icosphere(2), cp.make_icosphere(3)
+    >>> fitted = cp.fit(template, scan, cp.match_nearest(template, scan))
     >>> float(fitted.distance.max()) < 0.01
     True
     """
