@@ -176,7 +176,7 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
                  {"margin", std::min(result.margin, 9.0)},
                  {"part", to_string(result.part)},
                  {"scale", result.scale},
-                 {"warnings", result.warnings.size()},
+                 {"severity", to_string(gravest(result.messages))},
                  {"seconds", watch.stages()[0].seconds}};
     for (const PartialAlternative& other : result.alternatives)
         line["alternatives"].push_back(

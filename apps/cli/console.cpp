@@ -109,17 +109,6 @@ void print(const CommonOptions& options, const std::string& text) {
     if (!options.quiet) print(text);
 }
 
-void warn(const std::string& message, const std::filesystem::path& source,
-          const std::filesystem::path& target) {
-    const auto side = [&](const std::string& name, const std::filesystem::path& file) {
-        return message.starts_with(name) ? file.string() + message.substr(name.size() - 2) : std::string();
-    };
-    const std::string about_source = side("source: ", source), about_target = side("target: ", target);
-    if (!about_source.empty()) return warn(about_source);
-    if (!about_target.empty()) return warn(about_target);
-    warn(fmt::format("{} -> {}: {}", source.string(), target.string(), message));
-}
-
 void warn(const std::string& message) { std::fputs(("warning: " + message + "\n").c_str(), stderr); }
 
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options) {

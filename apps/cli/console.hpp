@@ -55,11 +55,6 @@ void say(const CommonOptions& options, const std::string& message);
 void print(const CommonOptions& options, const std::string& text);
 /// "warning: ..." on stderr, also with --quiet.
 void warn(const std::string& message);
-/// A warning about two meshes, with the names of their files in place of "source" and "target" before a
-/// colon.
-void warn(const std::string& message, const std::filesystem::path& source,
-          const std::filesystem::path& target);
-
 /// Reads a mesh and prints its notices, each prefixed with the file's name.
 TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);
 /// The same, with the attributes that the file holds.

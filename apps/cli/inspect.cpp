@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "compare_meshes.hpp"
 #include "console.hpp"
+#include "judgment.hpp"
 #include "material_files.hpp"
 
 #include <counterpart/base/progress.hpp>
+#include <counterpart/match/compare.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
@@ -150,6 +151,22 @@ Json mesh_json(const MeshReport& report) {
             {"components", components}};
 }
 
+Json comparison_json(const MeshComparison& comparison) {
+    const auto known = [](const std::optional<bool>& value) { return value ? Json(*value) : Json(nullptr); };
+    Json axes = Json::array();
+    for (const int axis : comparison.axes) axes.push_back(std::string(1, "xyz"[axis]));
+    return {{"same_connectivity", known(comparison.same_connectivity)},
+            {"same_order", comparison.same_order},
+            {"mirrored", known(comparison.mirrored)},
+            {"source_inside_out", comparison.source_inside_out},
+            {"target_inside_out", comparison.target_inside_out},
+            {"scale", comparison.scale},
+            {"axes", axes},
+            {"distance", comparison.distance},
+            {"same_places", comparison.same_places},
+            {"messages", to_json(comparison.messages)}};
+}
+
 void run(const InspectCommand& command) {
     Stopwatch watch;
     const AttributedMesh content = load_attributed_mesh(command.mesh, command.common);
@@ -163,16 +180,16 @@ void run(const InspectCommand& command) {
     if (!command.other.empty()) {
         const AttributedMesh other_content = load_attributed_mesh(command.other, command.common);
         const TriangleMesh& other = other_content.mesh;
-        const MeshReport other_report = analyze(other);
-        const MeshComparison comparison = compare_meshes(mesh, report, other, other_report);
+        const MeshComparison comparison = compare(mesh, other);
+        const MeshReport& other_report = comparison.target;
         text = fmt::format("first: {}\n{}\nsecond: {}\n{}\nfirst and second\n", command.mesh.string(), text,
                            command.other.string(),
                            describe(other_report, command.n_components) + describe(other_content));
-        for (const std::string& sentence : comparison.sentences) text += "  " + sentence + "\n";
+        const MeshPair pair{mesh, other, command.mesh, command.other};
+        for (const Message& message : comparison.messages) text += "  " + named(message, pair) + "\n";
         json["other"] = mesh_json(other_report);
         json["other"]["attributes"] = attributes_json(other_content);
-        json["comparison"] = comparison.details;
-        json["comparison"]["sentences"] = comparison.sentences;
+        json["comparison"] = comparison_json(comparison);
     }
     watch.lap("analyze");
     json["seconds"] = to_json(watch.stages());

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "load_map.hpp"
 
-#include "verdict.hpp"
+#include "judgment.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
@@ -70,7 +70,9 @@ SurfaceMap load_surface_map(const std::filesystem::path& file, const MeshPair& p
 }
 
 std::string caution(const Json& report) {
-    return report.value("verdict", "") == "do not use" ? " (by a map that is not to be used: see above)" : "";
+    return report.value("verdict", "") == to_string(Advice::do_not_use)
+               ? " (by a map that is not to be used: see above)"
+               : "";
 }
 
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
@@ -85,16 +87,12 @@ FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, 
     how.progress = {};
     say(options,
         fmt::format("no map is given: matched by '{}', because {}", to_string(result.method), result.reason));
-    MatchOutcome outcome;
-    outcome.target_from_source = result.target_from_source;
-    outcome.confidence = result.confidence;
-    outcome.warnings = result.warnings;
-    const Judgment judgment = judge(outcome, pair);
-    say(options, judgment);
-    for (const std::string& sentence : result.warnings) warn(sentence, pair.source_file, pair.target_file);
+    const Judgment judgment{result.messages, result.causes};
+    say_verdict(options, judgment, pair);
+    say_messages(options, result.messages, pair);
     Json report = judgment.report();
     report["matched_by"] = to_string(result.method);
-    report["match_warnings"] = result.warnings;
+    report["match_messages"] = to_json(result.messages);
     return {result.target_from_source, report, result.confidence, runner_ups(result)};
 }
 

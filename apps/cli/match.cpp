@@ -3,12 +3,12 @@
 #include "commands.hpp"
 #include "estimate.hpp"
 #include "fill_map.hpp"
+#include "judgment.hpp"
 #include "match_exact.hpp"
 #include "match_methods.hpp"
 #include "match_partial.hpp"
 #include "match_spectral.hpp"
 #include "refine_map.hpp"
-#include "verdict.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -60,24 +60,20 @@ void add_method(MatchCommand& command, CLI::App& match, const Add& add) {
             command.method_of_option.try_emplace(option, method.name);
 }
 
-bool is_auto_of(const std::string& method) { return method == "exact" || method == "spectral"; }
+// Whether auto may come to use an option; what its choice then does not use, the library tells.
+bool is_auto_of(const std::string& method) {
+    return method == "exact" || method == "spectral" || method == "partial";
+}
 
-// Refuses options that the method does not use. What `auto` may come to use is refused when it has chosen.
-void refuse_unused_options(const MatchCommand& command, const std::string& method) {
+// Refuses options that the method does not use, before any work.
+void refuse_unused_options(const MatchCommand& command) {
+    const std::string& method = command.method;
     for (const auto& [option, owner] : command.method_of_option) {
         if (option->count() == 0 || owner == method || owner.empty()) continue;
         const std::string name = option->get_name();
-        if (command.shares(method, name)) continue;
-        if (method == "auto" && (is_auto_of(owner) || owner == "partial")) continue;
-        // auto tries exact with these before it chooses another method.
-        if (command.method == "auto" && (name == "--allow-mirror" || name == "--weld")) continue;
-        // What these say of the meshes and of the map stays true where connectivity decides.
-        if (command.method == "auto" && method == "exact" && (name == "--part" || name == "--same-scale"))
-            continue;
-        throw InvalidInput(fmt::format("{} is an option of --method {}; {} does not use it", name, owner,
-                                       command.method == "auto" && method != "auto"
-                                           ? fmt::format("--method {}, which auto chose here,", method)
-                                           : "--method " + method));
+        if (command.shares(method, name) || (method == "auto" && is_auto_of(owner))) continue;
+        throw InvalidInput(
+            fmt::format("{} is an option of --method {}; --method {} does not use it", name, owner, method));
     }
     if (!command.confidence.empty() && !command.chosen().has_confidence)
         throw InvalidInput(
@@ -150,37 +146,34 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
     MatchOutcome outcome;
     outcome.target_from_source = result.target_from_source;
     outcome.confidence = result.confidence;
-    outcome.warnings = result.warnings;
-    const Verdict verdict = verdict_on(outcome, all_faces(source));
-    say(command.common, verdict.sentence());
+    const TriangleMesh source_faces = all_faces(source), target_faces = all_faces(target);
+    const MeshPair pair{source_faces, target_faces, command.source, command.target};
+    const Judgment judgment{result.messages, {}};
+    say_verdict(command.common, judgment, pair);
     write_outputs(command, outcome);
     watch.lap("write");
-    for (const std::string& sentence : result.warnings) warn(sentence, command.source, command.target);
-    for (const std::string& message : result.notices) say(command.common, message);
+    say_messages(command.common, result.messages, pair);
     const Index matched = count_matched(result.target_from_source);
     say(command.common, fmt::format("matched {} of {} vertices of solids by '{}' in {:.2f} s -> {}", matched,
                                     source.n_vertices(), to_string(result.method), watch.stages()[1].seconds,
                                     command.output.string()));
-    write_report({{"command", "match"},
-                  {"source", command.source.string()},
-                  {"target", command.target.string()},
-                  {"verdict", verdict.word},
-                  {"verdict_reason", verdict.reason},
-                  {"method", to_string(result.method)},
-                  {"source_vertices", source.n_vertices()},
-                  {"target_vertices", target.n_vertices()},
-                  {"source_tetrahedra", source.n_tetrahedra()},
-                  {"target_tetrahedra", target.n_tetrahedra()},
-                  {"matched_vertices", matched},
-                  {"messages", result.notices},
-                  {"warnings", result.warnings},
-                  {"seconds", to_json(watch.stages())},
-                  {"stage_seconds", to_json(result.stages)}},
-                 command.common);
+    Json report = {
+        {"command", "match"}, {"source", command.source.string()}, {"target", command.target.string()}};
+    report.update(judgment.report());
+    report.update({{"method", to_string(result.method)},
+                   {"source_vertices", source.n_vertices()},
+                   {"target_vertices", target.n_vertices()},
+                   {"source_tetrahedra", source.n_tetrahedra()},
+                   {"target_tetrahedra", target.n_tetrahedra()},
+                   {"matched_vertices", matched},
+                   {"messages", to_json(result.messages)},
+                   {"seconds", to_json(watch.stages())},
+                   {"stage_seconds", to_json(result.stages)}});
+    write_report(report, command.common);
 }
 
 void run(const MatchCommand& command) {
-    refuse_unused_options(command, command.method);
+    refuse_unused_options(command);
     if (!command.initial.empty()) refuse_unused_options_of_refinement(command);
     Stopwatch watch;
     if (const auto solids = load_solids(command.source, command.target, command.common)) {
@@ -200,18 +193,17 @@ void run(const MatchCommand& command) {
         outcome.target_from_source = without_left_out(outcome.target_from_source, source, target);
     if (outcome.source_from_target)
         outcome.source_from_target = without_left_out(*outcome.source_from_target, target, source);
-    if (!outcome.method.empty()) refuse_unused_options(command, outcome.method);
-    const Judgment judgment = judge(outcome, pair);  // of what was matched, not of what fills the gaps
+    const Judgment judgment{outcome.messages, outcome.causes};  // not of what fills the gaps
     if (outcome.failure.empty()) {
         fill_map(outcome, input, command.fill);
-        say(command.common, judgment);
+        say_verdict(command.common, judgment, pair);
         write_outputs(command, outcome);
         write_functional_map(command, outcome, source, target);
     }
-    for (const std::string& sentence : outcome.warnings) warn(sentence, command.source, command.target);
     watch.lap("write");
 
-    for (const std::string& message : outcome.messages) say(command.common, message);
+    for (const std::string& line : outcome.summary) say(command.common, line);
+    say_messages(command.common, outcome.messages, pair);
     const Index matched = count_matched(outcome.target_from_source);
     if (outcome.failure.empty())
         say(command.common,
@@ -225,8 +217,8 @@ void run(const MatchCommand& command) {
                    {"source_vertices", source.n_vertices()},
                    {"target_vertices", target.n_vertices()},
                    {"matched_vertices", matched},
-                   {"messages", outcome.messages},
-                   {"warnings", outcome.warnings},
+                   {"summary", outcome.summary},
+                   {"messages", to_json(outcome.messages)},
                    {"details", outcome.details},
                    {"seconds", to_json(watch.stages())},
                    {"stage_seconds", to_json(outcome.stages)}});

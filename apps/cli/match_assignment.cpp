@@ -20,8 +20,7 @@ MethodCommand add_assignment_method(CLI::App& match) {
                 options->progress = input.progress;
                 const AssignmentResult result = match_assignment(input.source, input.target, *options);
                 options->progress = {};
-                MatchOutcome outcome;
-                outcome.target_from_source = result.target_from_source;
+                MatchOutcome outcome = plain_outcome(input, result.target_from_source);
                 outcome.details = {{"sum_of_squared_distances", result.cost}};
                 return outcome;
             },

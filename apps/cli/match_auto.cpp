@@ -19,27 +19,20 @@ namespace {
 MatchOptions options_of(const MatchInput& input, const ExactArguments& exact,
                         const SpectralArguments& spectral, const PartialArguments& partial) {
     MatchOptions options = spectral.match_options_for(input);
-    options.exact = exact.options;
+    options.exact = exact.options_for_match();
     options.partial = partial.options_for(input, spectral);
     return options;
 }
 
-// Messages and report of the method that answered; writes the files it was asked for.
+// Summary and report of the method that answered; writes the files it was asked for.
 MatchOutcome outcome_of(const MatchInput& input, const ExactArguments& exact,
                         const SpectralArguments& spectral, const MatchResult& result) {
     if (result.method == MatchMethod::partial) return partial_outcome(spectral, *result.partial);
     if (result.method == MatchMethod::spectral) return spectral_outcome(spectral, *result.spectral);
-    if (result.method == MatchMethod::exact && result.exact && result.exact->identical)
-        return exact_outcome(input, exact, *result.exact);
-    MatchOutcome outcome;
-    if (result.method == MatchMethod::exact) {
-        outcome = differences_outcome(input, *result.differences);
-        if (result.n_filled > 0)
-            outcome.messages.push_back(
-                fmt::format("{} unmatched vertices filled from their neighbors", result.n_filled));
-        outcome.details["filled_vertices"] = result.n_filled;
-    }
-    outcome.warnings = result.warnings;
+    if (result.method != MatchMethod::exact) return {};
+    if (result.exact && result.exact->identical) return exact_outcome(input, exact, result);
+    MatchOutcome outcome = differences_outcome(input, *result.differences);
+    outcome.details["filled_vertices"] = result.n_filled;
     return outcome;
 }
 
@@ -81,19 +74,19 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                 }
                 require_same_connectivity(input, *exact);
                 require_useful_welding(input, *exact);
+                const MatchOptions options = options_of(input, *exact, *spectral, *partial);
                 if (input.source.n_triangles() != input.target.n_triangles())
                     say_expected_cost(input, "spectral",
                                       "unless a part is matched or the connectivity is alike, ");
-                const MatchResult result =
-                    match(input.source, input.target, options_of(input, *exact, *spectral, *partial));
-                MatchOutcome outcome = outcome_of(input, *exact, *spectral, result);
-                outcome.target_from_source = result.target_from_source;
-                outcome.confidence = result.confidence;
+                const MatchResult result = match(input.source, input.target, options);
+                MatchOutcome outcome = with_result(outcome_of(input, *exact, *spectral, result), result);
                 outcome.method = to_string(result.method);
-                outcome.stages = result.stages;
-                outcome.messages.insert(
-                    outcome.messages.begin(),
+                outcome.summary.insert(
+                    outcome.summary.begin(),
                     fmt::format("auto: {}, because {}", to_string(result.method), result.reason));
+                if (!spectral->alternatives.empty() && !result.spectral && !result.partial)
+                    outcome.summary.push_back(fmt::format(
+                        "--alternatives-output: '{}' has no runner-ups to write", to_string(result.method)));
                 outcome.details["chosen_method"] = to_string(result.method);
                 outcome.details["reason"] = result.reason;
                 return outcome;

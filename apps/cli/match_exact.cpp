@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "match_exact.hpp"
 
-#include "compare_meshes.hpp"
 #include "match_methods.hpp"
 
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/match/compare.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 
@@ -75,17 +75,17 @@ void write_alternatives(const std::vector<VertexMap>& maps, const std::string& p
                         MatchOutcome& outcome) {
     for (std::size_t i = 0; i < maps.size(); ++i)
         write_vertex_map(maps[i], fmt::format("{}{}.txt", prefix, i + 1));
-    outcome.messages.push_back(
+    outcome.summary.push_back(
         fmt::format("wrote {} symmetric alternatives to {}1.txt ...", maps.size(), prefix));
-    if (maps.empty()) outcome.messages.back() = "there is no symmetric alternative";
+    if (maps.empty()) outcome.summary.back() = "there is no symmetric alternative";
 }
 
 // Where the connectivity differs: what the meshes share, as a map if it was asked for.
 MatchOutcome shared_outcome(const MatchInput& input, const ExactArguments& arguments,
-                            const std::string& first) {
-    MatchOutcome outcome = differences_outcome(
-        input, find_differences(input.source, input.target, {.n_threads = input.common.threads}));
-    outcome.messages.insert(outcome.messages.begin(), "the connectivity differs: " + first);
+                            const MatchResult& result) {
+    MatchOutcome outcome = differences_outcome(input, *result.differences);
+    const std::string& first = result.exact->difference;
+    outcome.summary.insert(outcome.summary.begin(), "the connectivity differs: " + first);
     outcome.details["identical"] = false;
     outcome.details["first_difference"] = first;
     if (arguments.allow_differences) return outcome;
@@ -100,24 +100,32 @@ MatchOutcome shared_outcome(const MatchInput& input, const ExactArguments& argum
 
 }  // namespace
 
+std::string welding_advice(const TriangleMesh& source, const TriangleMesh& target,
+                           const std::string& source_name, const std::string& target_name) {
+    for (const Message& message : compare(source, target).messages)
+        if (message.code == MessageCode::weldable)
+            return fmt::format("{}: {}; try --weld",
+                               message.where.subject == Subject::source ? source_name : target_name,
+                               message.sentence);
+    return "";
+}
+
 MatchOutcome differences_outcome(const MatchInput& input, const MeshDifferences& differences) {
     MatchOutcome outcome;
-    outcome.target_from_source = differences.target_from_source;
-    outcome.confidence = Vector::Ones(input.source.n_vertices());
-    for (const Index v : differences.uncertain) outcome.confidence[v] = 0.5;
-    for (const Index v : differences.source_vertices) outcome.confidence[v] = 0;
-    outcome.messages.push_back(differences.summary);
+    outcome.summary.push_back(differences.summary);
     for (std::size_t i = 0; i < std::min(max_listed, differences.edits.size()); ++i)
-        outcome.messages.push_back("  " + differences.edits[i].sentence);
+        outcome.summary.push_back("  " + differences.edits[i].sentence);
     if (differences.edits.size() > max_listed)
-        outcome.messages.push_back(
+        outcome.summary.push_back(
             fmt::format("  and {} more; --report lists all", differences.edits.size() - max_listed));
     outcome.details["difference"] = differences_to_json(differences, input.source, input.target);
     return outcome;
 }
 
-MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result) {
-    if (!result.identical) return shared_outcome(input, arguments, result.difference);
+MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments,
+                           const MatchResult& found) {
+    if (!found.exact || !found.exact->identical) return shared_outcome(input, arguments, found);
+    const ExactResult& result = *found.exact;
     MatchOutcome outcome;
     outcome.details = {{"identical", true}};
     Json equal = Json::array();
@@ -134,20 +142,23 @@ MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& argume
                                 {"reversed_triangles", result.reversed_triangles},
                                 {"winding_reversed", result.winding_reversed},
                                 {"mirrored", result.mirrored}});
-    outcome.messages = result.notices;
-    outcome.target_from_source = std::move(result.target_from_source);
-    outcome.confidence = Vector::Ones(outcome.target_from_source.source_size());
     if (!arguments.alternatives.empty())
         write_alternatives(result.alternatives, arguments.alternatives.string(), outcome);
     return outcome;
 }
 
+ExactOptions ExactArguments::options_for_match() const {
+    ExactOptions result = options;
+    result.max_alternatives = alternatives.empty() ? 0 : max_alternatives;
+    return result;
+}
+
 MatchOutcome ExactArguments::run(const MatchInput& input) const {
-    ExactOptions with_input = options;
-    with_input.max_alternatives = alternatives.empty() ? 0 : max_alternatives;
-    with_input.n_threads = input.common.threads;
-    with_input.progress = input.progress;
-    return exact_outcome(input, *this, match_exact(input.source, input.target, with_input));
+    MatchOptions how{.method = MatchMethod::exact, .exact = options_for_match()};
+    how.n_threads = input.common.threads;
+    how.progress = input.progress;
+    const MatchResult result = match(input.source, input.target, how);
+    return with_result(exact_outcome(input, *this, result), result);
 }
 
 MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments) {

@@ -6,6 +6,7 @@
 
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
+#include <counterpart/match/match.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -19,14 +20,21 @@ struct ExactArguments {
     std::filesystem::path alternatives;  // prefix of the files; empty: none
     Index max_alternatives = 100;
 
+    /// As match() takes them.
+    ExactOptions options_for_match() const;
     /// `match --method exact`.
     MatchOutcome run(const MatchInput& input) const;
 };
 
-/// Messages and report of a result; where the connectivity differs, also finds and reports the differences.
-MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments, ExactResult result);
+/// Summary and report of a result by connectivity; writes the files that were asked for.
+MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& arguments,
+                           const MatchResult& result);
 
 /// The same of a partial match.
 MatchOutcome differences_outcome(const MatchInput& input, const MeshDifferences& differences);
+
+/// Where the connectivity differs and is the same once vertices at one place are merged: that, and the cure.
+std::string welding_advice(const TriangleMesh& source, const TriangleMesh& target,
+                           const std::string& source_name, const std::string& target_name);
 
 }  // namespace counterpart::cli

@@ -4,6 +4,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/frontiers.hpp>
+#include <counterpart/match/verdict.hpp>
 
 #include <map>
 #include <memory>
@@ -33,13 +34,11 @@ Json component_to_json(const ComponentMatch& component) {
             {"interchangeable_components", component.n_interchangeable}};
 }
 
-MatchOutcome outcome_of(const FrontiersResult& result) {
-    MatchOutcome outcome;
-    outcome.target_from_source = result.target_from_source;
-    outcome.confidence = result.confidence;
+MatchOutcome outcome_of(const MatchInput& input, const FrontiersResult& result) {
+    MatchOutcome outcome = plain_outcome(input, result.target_from_source, result.confidence);
     outcome.stages = result.stages;
     const ComponentMatch& largest = result.components.front();
-    outcome.messages.push_back(
+    outcome.summary.push_back(
         fmt::format("seeds: source vertex {} -> target vertex {} ({}); {} frontiers{}", largest.source,
                     largest.target, to_string(largest.test), largest.n_frontiers,
                     result.components.size() > 1
@@ -49,16 +48,16 @@ MatchOutcome outcome_of(const FrontiersResult& result) {
     for (const ComponentMatch& component : result.components) {
         n_interchangeable += component.n_interchangeable > 1 ? 1 : 0;
         if (component.n_alike > 1)
-            outcome.messages.push_back(
+            outcome.summary.push_back(
                 fmt::format("{} target vertices match source seed {} by connectivity; positions decided",
                             component.n_alike, component.source));
     }
     if (n_interchangeable > 0)
-        outcome.messages.push_back(
+        outcome.summary.push_back(
             fmt::format("{} components share their connectivity with others; positions decided which match",
                         n_interchangeable));
     const double confidence = result.confidence.mean();
-    outcome.messages.push_back(fmt::format("preserved edges: {:.2f} %", 100 * confidence));
+    outcome.summary.push_back(fmt::format("preserved edges: {:.2f} %", 100 * confidence));
     outcome.details["mean_confidence"] = confidence;
     outcome.details["decided_by_position"] = result.n_decided_by_position;
     outcome.details["components"] = Json::array();
@@ -80,14 +79,15 @@ MatchOutcome run_geodesic(const FrontiersArguments& arguments, const MatchInput&
     const GeodesicFrontiersResult result = match_geodesic_frontiers(input.source, input.target, options);
     MatchOutcome outcome;
     outcome.target_from_source = result.target_from_source;
+    outcome.messages = result.messages;
+    for (Message& doubt : doubts(outcome.target_from_source, {}, input.source))
+        outcome.messages.push_back(std::move(doubt));
+    outcome.causes = probable_causes(input.source, input.target, outcome.messages);
     outcome.stages = result.stages;
-    outcome.messages.push_back(fmt::format(
+    outcome.summary.push_back(fmt::format(
         "seeds: source vertex {} -> target vertex {}; their area profiles differ by up to {:.1f} %; "
         "{} geodesic bands",
         result.source_seed, result.target_seed, 100 * result.profile_difference, result.n_bands));
-    if (result.profile_difference > 0.1)
-        outcome.warnings.emplace_back(
-            "the surfaces around the two seeds differ too much: this map is unreliable");
     outcome.details = {{"source_seed", result.source_seed},
                        {"target_seed", result.target_seed},
                        {"bands", result.n_bands},
@@ -142,23 +142,22 @@ MethodCommand add_frontiers_method(CLI::App& match) {
         ->capture_default_str()
         ->needs(distance)
         ->group(group);
-    return {
-        "frontiers", "same connectivity: breadth-first frontiers, level by level",
-        [arguments](const MatchInput& input) {
-            if (arguments->geodesic) return run_geodesic(*arguments, input);
-            FrontiersOptions run_options = arguments->options;
-            run_options.vertex_hashes = !arguments->positions_only;
-            if (run_options.paper && arguments->pairing->count() == 0) run_options.pairing = Pairing::closest;
-            run_options.n_threads = input.common.threads;
-            run_options.progress = input.progress;
-            try {
-                return outcome_of(match_frontiers(input.source, input.target, run_options));
-            } catch (const InvalidInput& error) {
-                const std::string reason = error.what();
-                if (reason.find("connectivity differs") == std::string::npos) throw;
-                throw InvalidInput(reason + "; --distance geodesic matches meshes of different connectivity");
-            }
-        }};
+    return {"frontiers", "same connectivity: breadth-first frontiers, level by level",
+            [arguments](const MatchInput& input) {
+                if (arguments->geodesic) return run_geodesic(*arguments, input);
+                FrontiersOptions run_options = arguments->options;
+                run_options.vertex_hashes = !arguments->positions_only;
+                if (run_options.paper && arguments->pairing->count() == 0)
+                    run_options.pairing = Pairing::closest;
+                run_options.n_threads = input.common.threads;
+                run_options.progress = input.progress;
+                try {
+                    return outcome_of(input, match_frontiers(input.source, input.target, run_options));
+                } catch (const UnsuitableMesh& error) {
+                    throw InvalidInput(std::string(error.what()) +
+                                       "; --distance geodesic matches meshes of different connectivity");
+                }
+            }};
 }
 
 }  // namespace counterpart::cli

@@ -7,7 +7,9 @@
 
 #include "console.hpp"
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/map/vertex_map.hpp>
+#include <counterpart/match/match.hpp>
 
 #include <functional>
 #include <memory>
@@ -29,12 +31,18 @@ struct MatchOutcome {
     std::optional<VertexMap> source_from_target{};  ///< if the method finds it; else it is the inverse
     Vector confidence{};                            ///< per source vertex; empty if the method has none
     std::string method{};                           ///< that auto chose; else empty
-    std::vector<std::string> messages{};            ///< sentences for the user
-    std::vector<std::string> warnings{};            ///< sentences: what may be wrong, and what to do
+    std::vector<std::string> summary{};             ///< what the method found, in lines for the user
+    std::vector<Message> messages{};                ///< what was noticed and what may be wrong
+    std::vector<Message> causes{};                  ///< of a verdict other than "use"
     Json details = Json::object();                  ///< the method's part of the report
     std::vector<StageTime> stages{};
     std::string failure{};  ///< not empty: write the report, but no map, and fail with this sentence
 };
+
+/// With the map, confidence and messages of a result of match().
+MatchOutcome with_result(MatchOutcome outcome, const MatchResult& result);
+/// Of a map of which nothing but the map is known, or a confidence.
+MatchOutcome plain_outcome(const MatchInput& input, VertexMap target_from_source, Vector confidence = {});
 
 struct MethodCommand {
     std::string name;

@@ -4,7 +4,6 @@
 
 #include "match_spectral.hpp"
 
-#include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
 
 #include <cmath>
@@ -28,8 +27,7 @@ Json partial_report(const PartialResult& result) {
                    {"mean_confidence", result.confidence.mean()},
                    {"alternatives", alternatives},
                    {"source_touching", result.source_touching},
-                   {"target_touching", result.target_touching},
-                   {"warnings", result.warnings}};
+                   {"target_touching", result.target_touching}};
     if (result.part != Part::neither) report["agreement"] = result.agreement;
     if (!result.alternatives.empty()) report["margin"] = result.margin;
     return report;
@@ -63,26 +61,21 @@ std::string part_summary(const PartialResult& result) {
     return text;
 }
 
-void add_touching(std::vector<std::string>& messages, const std::string& name,
-                  const std::vector<Index>& vertices) {
-    if (!vertices.empty())
-        messages.push_back(fmt::format(
-            "the {0} may be fused with itself: the map tears at {1} of its vertices (see {0}_touching "
-            "in the report)",
-            name, vertices.size()));
-}
-
 }  // namespace
 
 PartialOptions PartialArguments::options_for(const MatchInput& input, const SpectralArguments& shared) const {
+    const SpectralOptions known = shared.options_for(input);
     PartialOptions result = options;
-    result.n_alternatives = shared.options.n_alternatives;
+    result.n_alternatives = known.n_alternatives;
     result.seed = shared.shape.seed;
-    result.soft_landmarks = shared.options.soft_landmarks;
+    result.landmarks = known.landmarks;
+    result.soft_landmarks = known.soft_landmarks;
+    result.excluded = known.excluded;
+    result.aligned = known.aligned;
+    result.up = known.up;
+    result.facing = known.facing;
     result.n_threads = input.common.threads;
     result.progress = input.progress;
-    if (!shared.landmarks.empty())
-        result.landmarks = read_landmarks(shared.landmarks, input.source, input.target);
     return result;
 }
 
@@ -92,27 +85,23 @@ MatchOutcome partial_outcome(const SpectralArguments& shared, const PartialResul
             write_vertex_map(result.alternatives[i].target_from_source,
                              numbered_alternative(shared.alternatives, i + 1));
     MatchOutcome outcome;
-    outcome.messages.push_back(part_summary(result));
-    outcome.messages.push_back(
+    outcome.summary.push_back(part_summary(result));
+    outcome.summary.push_back(
         fmt::format("score {:.3f}, mean confidence {:.2f}", result.score, result.confidence.mean()));
     for (const PartialAlternative& other : result.alternatives)
-        outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {} of the part goes elsewhere",
-                                               other.score, rounded_percent(other.moved)));
-    add_touching(outcome.messages, "source", result.source_touching);
-    add_touching(outcome.messages, "target", result.target_touching);
+        outcome.summary.push_back(fmt::format("  runner-up {:.3f}: {} of the part goes elsewhere",
+                                              other.score, rounded_percent(other.moved)));
     outcome.details = partial_report(result);
     outcome.stages = result.stages;
-    outcome.warnings = result.warnings;
-    outcome.target_from_source = result.target_from_source;
     outcome.source_from_target = result.source_from_target;
-    outcome.confidence = result.confidence;
     return outcome;
 }
 
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
                                  const std::shared_ptr<SpectralArguments>& shared) {
     const std::string group =
-        "Options of --method partial (which also uses --landmarks, --soft-landmarks, --seed, --alternatives)";
+        "Options of --method partial (which also uses --landmarks, --soft-landmarks, --not, --aligned, --up, "
+        "--facing, --seed, --alternatives)";
     const std::map<std::string, Part> parts{{"unknown", Part::unknown},
                                             {"source", Part::source},
                                             {"target", Part::target},
@@ -133,11 +122,16 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
     return {"partial",
             "local shape and distances: parts, meshes with holes, surfaces fused with themselves",
             [arguments, shared](const MatchInput& input) {
-                return partial_outcome(*shared, match_partial(input.source, input.target,
-                                                              arguments->options_for(input, *shared)));
+                MatchOptions options{.method = MatchMethod::partial,
+                                     .partial = arguments->options_for(input, *shared)};
+                options.n_threads = input.common.threads;
+                options.progress = input.progress;
+                const MatchResult result = counterpart::match(input.source, input.target, options);
+                return with_result(partial_outcome(*shared, *result.partial), result);
             },
             true,
-            {"--landmarks", "--soft-landmarks", "--seed", "--alternatives", "--alternatives-output"}};
+            {"--landmarks", "--soft-landmarks", "--not", "--aligned", "--up", "--facing", "--seed",
+             "--alternatives", "--alternatives-output"}};
 }
 
 }  // namespace counterpart::cli

@@ -29,8 +29,7 @@ Json report_of(const SpectralResult& result) {
     return {{"score", result.score},
             {"margin", result.margin},
             {"mean_confidence", result.confidence.mean()},
-            {"alternatives", alternatives},
-            {"warnings", result.warnings}};
+            {"alternatives", alternatives}};
 }
 
 Index vertex_number(const std::string& text, const std::string& whole) {
@@ -102,16 +101,13 @@ MatchOutcome spectral_outcome(const SpectralArguments& arguments, const Spectral
                              numbered(arguments.alternatives, i + 1));
     }
     MatchOutcome outcome;
-    outcome.messages.push_back(
+    outcome.summary.push_back(
         fmt::format("score {:.3f}, mean confidence {:.2f}", result.score, result.confidence.mean()));
     for (const SpectralAlternative& other : result.alternatives)
-        outcome.messages.push_back(fmt::format("  runner-up {:.3f}: {}", other.score, other.description));
+        outcome.summary.push_back(fmt::format("  runner-up {:.3f}: {}", other.score, other.description));
     outcome.details = report_of(result);
     outcome.stages = result.stages;
-    outcome.warnings = result.warnings;
-    outcome.target_from_source = result.target_from_source;
     outcome.source_from_target = result.source_from_target;
-    outcome.confidence = result.confidence;
     return outcome;
 }
 
@@ -182,8 +178,8 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
             [arguments](const MatchInput& input) {
                 MatchOptions options = arguments->match_options_for(input);
                 options.method = MatchMethod::spectral;
-                return spectral_outcome(*arguments,
-                                        *counterpart::match(input.source, input.target, options).spectral);
+                const MatchResult result = counterpart::match(input.source, input.target, options);
+                return with_result(spectral_outcome(*arguments, *result.spectral), result);
             }};
 }
 

@@ -3,8 +3,7 @@
 #include "refine_map.hpp"
 
 #include <counterpart/match/refine.hpp>
-
-#include <fmt/format.h>
+#include <counterpart/match/verdict.hpp>
 
 namespace counterpart::cli {
 
@@ -18,8 +17,8 @@ MatchOutcome refine_map(const MatchInput& input, const LoadedMap& initial) {
     outcome.target_from_source = std::move(refined.target_from_source);
     outcome.source_from_target = std::move(refined.source_from_target);
     outcome.confidence = std::move(refined.confidence);
-    outcome.messages.push_back(fmt::format("refined the given map: {} of {} images stayed", refined.n_kept,
-                                           input.source.n_vertices()));
+    outcome.messages = std::move(refined.messages);
+    outcome.causes = probable_causes(input.source, input.target, outcome.messages);
     outcome.details = {{"kept_images", refined.n_kept}};
     outcome.stages = std::move(refined.stages);
     return outcome;

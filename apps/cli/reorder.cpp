@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
-#include "compare_meshes.hpp"
 #include "console.hpp"
+#include "judgment.hpp"
 #include "match_exact.hpp"
-#include "verdict.hpp"
 
 #include <counterpart/align/fit_surface.hpp>
 #include <counterpart/base/errors.hpp>
@@ -33,21 +32,28 @@ struct ReorderCommand {
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
 
-const Verdict right{"use", ""};  // what only connectivity decides
+// What a report has besides the messages and what follows from them.
+struct Reordered {
+    Index n_vertices = 0;
+    std::vector<std::string> summary{};
+    Json details = Json::object();
+    std::vector<StageTime> stages{};
+};
 
-void report(const ReorderCommand& command, Index n_vertices, const std::vector<std::string>& notices,
-            const std::vector<StageTime>& stages = {}, const Verdict& verdict = right,
-            const Json& details = Json::object()) {
-    say(command.common, verdict.sentence());
-    for (const std::string& notice : notices) say(command.common, notice);
-    say(command.common, fmt::format("{} vertices in the order of {} -> {}", n_vertices,
+void report(const ReorderCommand& command, const MeshPair& pair, const std::vector<Message>& messages,
+            const Reordered& done) {
+    const Judgment judgment{messages, {}};
+    say_verdict(command.common, judgment, pair);
+    for (const std::string& line : done.summary) say(command.common, line);
+    say_messages(command.common, messages, pair);
+    say(command.common, fmt::format("{} vertices in the order of {} -> {}", done.n_vertices,
                                     command.source.string(), command.output.string()));
     Json json{
-        {"command", "reorder"},    {"source", command.source.string()}, {"target", command.target.string()},
-        {"verdict", verdict.word}, {"verdict_reason", verdict.reason},  {"vertices", n_vertices},
-        {"messages", notices}};
-    json.update(details);
-    if (!stages.empty()) json["seconds"] = to_json(stages);
+        {"command", "reorder"}, {"source", command.source.string()}, {"target", command.target.string()}};
+    json.update(judgment.report());
+    json.update({{"vertices", done.n_vertices}, {"messages", to_json(messages)}});
+    json.update(done.details);
+    if (!done.stages.empty()) json["seconds"] = to_json(done.stages);
     write_report(json, command.common);
 }
 
@@ -64,7 +70,9 @@ void run_solids(const ReorderCommand& command, TetrahedralMesh source, const Tet
     source.vertices = target.vertices(match.target_from_source.image(), Eigen::all).eval();
     if (match.mirrored) source.tetrahedra.col(2).swap(source.tetrahedra.col(3));
     write_tetrahedral_mesh(source, command.output);
-    report(command, source.n_vertices(), match.notices);
+    const TriangleMesh source_faces = all_faces(source), target_faces = all_faces(target);
+    report(command, {source_faces, target_faces, command.source, command.target}, match.messages,
+           {source.n_vertices()});
 }
 
 std::string why_not(const ReorderCommand& command, const TriangleMesh& source, const TriangleMesh& target,
@@ -100,15 +108,19 @@ void run_with_differences(const ReorderCommand& command, AttributedMesh source, 
     source.normals = {};
     write_attributed_mesh(source, command.output);
     watch.lap("write");
-    const std::string reason =
-        shared.is_ambiguous ? "another way to match the meshes fits nearly as well"
-        : shared.source_vertices.empty() && shared.uncertain.empty()
-            ? ""
-            : fmt::format("{} of {} vertices are not in {} and go with those around them, {} are uncertain",
-                          shared.source_vertices.size(), source.mesh.n_vertices(), command.target.string(),
-                          shared.uncertain.size());
-    report(command, source.mesh.n_vertices(), outcome.messages, watch.stages(),
-           {reason.empty() ? "use" : "check", reason}, outcome.details);
+    std::vector<Message> messages = shared.messages;
+    const std::vector<Index>& others = shared.source_vertices;
+    if (!others.empty() || !shared.uncertain.empty())
+        messages.push_back(
+            {MessageCode::filled_vertices,
+             Severity::caution,
+             fmt::format("{} of {} vertices are not in {} and go with those around them, {} are "
+                         "uncertain",
+                         others.size(), source.mesh.n_vertices(), command.target.string(),
+                         shared.uncertain.size()),
+             {Subject::map, others}});
+    report(command, {source.mesh, target, command.source, command.target}, messages,
+           {source.mesh.n_vertices(), outcome.summary, outcome.details, watch.stages()});
 }
 
 void run(const ReorderCommand& command) {
@@ -132,8 +144,9 @@ void run(const ReorderCommand& command) {
             turned_inside_out(reorder(source_content, target_content, match.target_from_source,
                                       match.target_corner_from_source)),
             command.output);
-        match.notices.emplace_back(
-            "its faces are wound the other way than the source's, so that the outside stays out");
+        match.messages.push_back(
+            {MessageCode::turned_inside_out, Severity::notice,
+             "its faces are wound the other way than the source's, so that the outside stays out"});
     } else if (is_obj(command.target) && is_obj(command.output)) {
         const std::string shape = read_whole_file(command.target);
         write_file(
@@ -148,7 +161,8 @@ void run(const ReorderCommand& command) {
                               command.output);
     }
     watch.lap("write");
-    report(command, source.n_vertices(), match.notices, watch.stages());
+    report(command, {source, target, command.source, command.target}, match.messages,
+           {source.n_vertices(), {}, Json::object(), watch.stages()});
 }
 
 }  // namespace

@@ -236,7 +236,7 @@ void run(const TransferCommand& command) {
                             n, command.target.string()));
         TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
-        for (const std::string& warning : result.warnings) warn(warning);
+        for (const Message& message : result.messages) warn(message.sentence);
         for (const TransferredAttribute& attribute : result.attributes) {
             say(command.common, in_words(attribute, target.mesh.n_vertices()));
             report["attributes"].push_back(counts_of(attribute));

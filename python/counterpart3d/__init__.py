@@ -15,6 +15,7 @@ from . import _core
 from ._alignment import AlignResult, align
 from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
+from ._comparison import Comparison, MethodChoice, choose_method, compare
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
 from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
 from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
@@ -41,8 +42,10 @@ from ._match_results import (
     PartialAlternative,
     PartialResult,
     SpectralResult,
+    verdict,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
+from ._messages import Message, Verdict, Where
 from ._meshes import Mesh, MeshLike, inspect, read, vertex_areas, vertex_normals, write
 from ._pictures import Picture, View, render, view
 from ._shape_matching import SpectralShape, match_partial, match_spectral
@@ -86,6 +89,7 @@ __all__ = [
     "AlignResult",
     "Alternative",
     "Canceled",
+    "Comparison",
     "Count",
     "Differences",
     "Edit",
@@ -103,6 +107,8 @@ __all__ = [
     "MatchResult",
     "Mesh",
     "MeshLike",
+    "Message",
+    "MethodChoice",
     "MorphResult",
     "NumericalError",
     "PartialAlternative",
@@ -116,9 +122,13 @@ __all__ = [
     "SurfaceMap",
     "TransferResult",
     "UnsuitableMesh",
+    "Verdict",
     "View",
+    "Where",
     "ZoomOutResult",
     "align",
+    "choose_method",
+    "compare",
     "complete_map",
     "compose_maps",
     "deform",
@@ -157,6 +167,7 @@ __all__ = [
     "subdivide",
     "transfer",
     "transfer_values",
+    "verdict",
     "vertex_areas",
     "vertex_map",
     "vertex_normals",

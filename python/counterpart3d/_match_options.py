@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, Literal, TypeVar
 
 import numpy as np
@@ -57,6 +58,55 @@ def spectral_options(
         facing=direction(facing, "facing"),
         **plain,
     )
+
+
+def match_options(
+    *,
+    method: Method = "auto",
+    landmarks: Any = None,
+    soft_landmarks: bool = False,
+    excluded: Any = None,
+    aligned: bool = False,
+    up: Direction | None = None,
+    facing: Direction | None = None,
+    symmetric: bool = False,
+    part: Part = "unknown",
+    same_scale: bool = False,
+    allow_mirror: bool = False,
+    weld_distance: float | None = None,
+    min_shared: float = 0.9,
+    n_alternatives: int = 3,
+    basis_size: int = 200,
+    n_samples: int = 1000,
+    seed: int = 0,
+    cache: str | os.PathLike[str] | None = None,
+    n_threads: int = 0,
+) -> _core.MatchOptions:
+    """The options of `match`."""
+    options = with_fields(
+        _core.MatchOptions(),
+        method=method,
+        min_shared=min_shared,
+        exact=exact_options(allow_mirror, weld_distance),
+        spectral=spectral_options(
+            landmarks,
+            excluded,
+            up,
+            facing,
+            soft_landmarks=soft_landmarks,
+            aligned=aligned,
+            symmetric=symmetric,
+            n_alternatives=n_alternatives,
+        ),
+        spectral_shape=with_fields(_core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed),
+        partial=with_fields(
+            _core.PartialOptions(), part=part, same_scale=same_scale, n_alternatives=n_alternatives, seed=seed
+        ),
+        n_threads=n_threads,
+    )
+    if cache is not None:
+        options.cache = os.fspath(cache)
+    return options
 
 
 def known_pairs(values: Any, what: str) -> IntArray | None:

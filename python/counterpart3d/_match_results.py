@@ -9,6 +9,7 @@ from typing import Any
 
 from ._arrays import FloatArray, IntArray
 from ._calls import MapResult, Result
+from ._messages import Message, Telling, Verdict, messages_of
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -34,7 +35,7 @@ class Count(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ExactResult(MapResult):
+class ExactResult(MapResult, Telling):
     """What `match_exact` found. Only if `identical` does the rest mean anything.
 
     Attributes
@@ -63,8 +64,8 @@ class ExactResult(MapResult):
         The target is a mirror image of the source.
     alternatives : list[ndarray of int]
         The other matches of a symmetric mesh, best first.
-    notices : list[str]
-        What a person should know of it, as sentences.
+    messages : list[Message]
+        What a person should know of it.
     """
 
     identical: bool
@@ -79,12 +80,12 @@ class ExactResult(MapResult):
     winding_reversed: bool
     mirrored: bool
     alternatives: list[IntArray]
-    notices: list[str]
+    messages: list[Message]
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> ExactResult:
         counts = {name: Count(**fields[name]) for name in ("automorphisms", "mirror_automorphisms")}
-        return cls(**{**fields, **counts})
+        return cls(**{**fields, **counts, "messages": messages_of(fields["messages"])})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -113,7 +114,7 @@ class Edit(Result):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Differences(MapResult):
+class Differences(MapResult, Telling):
     """What two meshes share and where they differ; see `find_differences`.
 
     Attributes
@@ -146,6 +147,8 @@ class Differences(MapResult):
         Another way to match the meshes had nearly as much evidence: then every vertex is uncertain.
     summary : str
         All of it in one sentence.
+    messages : list[Message]
+        Where to doubt it.
     """
 
     target_from_source: IntArray
@@ -162,10 +165,12 @@ class Differences(MapResult):
     winding_reversed: bool
     is_ambiguous: bool
     summary: str
+    messages: list[Message]
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> Differences:
-        return cls(**{**fields, "edits": [Edit(**edit) for edit in fields["edits"]]})
+        edits = [Edit(**edit) for edit in fields["edits"]]
+        return cls(**{**fields, "edits": edits, "messages": messages_of(fields["messages"])})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -213,7 +218,7 @@ class Alternative(MapResult):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class SpectralResult(MapResult):
+class SpectralResult(MapResult, Telling):
     """What `match_spectral` found.
 
     Attributes
@@ -230,8 +235,8 @@ class SpectralResult(MapResult):
         Over the best runner-up's score; inf if there is none.
     alternatives : list[Alternative]
         Runners-up, best first.
-    warnings : list[str]
-        Sentences: what may be wrong, and what to do.
+    messages : list[Message]
+        What was noticed and what may be wrong.
     seconds : dict[str, float]
         The seconds of each stage, by name.
     """
@@ -242,12 +247,13 @@ class SpectralResult(MapResult):
     score: float
     margin: float
     alternatives: list[Alternative]
-    warnings: list[str]
+    messages: list[Message]
     seconds: dict[str, float]
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> SpectralResult:
-        return cls(**{**fields, "alternatives": [Alternative(**other) for other in fields["alternatives"]]})
+        alternatives = [Alternative(**other) for other in fields["alternatives"]]
+        return cls(**{**fields, "alternatives": alternatives, "messages": messages_of(fields["messages"])})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -270,7 +276,7 @@ class PartialAlternative(MapResult):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class PartialResult(MapResult):
+class PartialResult(MapResult, Telling):
     """What `match_partial` found.
 
     Attributes
@@ -302,8 +308,8 @@ class PartialResult(MapResult):
         Of two whole surfaces: vertices where one seems to be fused with another part of itself.
     target_touching : ndarray of int
         The same of the target.
-    warnings : list[str]
-        Sentences: what may be wrong, and what to do.
+    messages : list[Message]
+        What was noticed and what may be wrong.
     seconds : dict[str, float]
         The seconds of each stage, by name.
     """
@@ -321,16 +327,17 @@ class PartialResult(MapResult):
     alternatives: list[PartialAlternative]
     source_touching: IntArray
     target_touching: IntArray
-    warnings: list[str]
+    messages: list[Message]
     seconds: dict[str, float]
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> PartialResult:
-        return cls(**{**fields, "alternatives": [PartialAlternative(**other) for other in fields["alternatives"]]})
+        alternatives = [PartialAlternative(**other) for other in fields["alternatives"]]
+        return cls(**{**fields, "alternatives": alternatives, "messages": messages_of(fields["messages"])})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class MatchResult(MapResult):
+class MatchResult(MapResult, Telling):
     """What `match` found.
 
     Attributes
@@ -345,10 +352,12 @@ class MatchResult(MapResult):
         0 .. 1: 1 where connectivity determines the partner, 0 where nothing but place speaks for it.
     n_filled : int
         Vertices without a partner that follow those around them.
-    warnings : list[str]
-        Sentences: what may be wrong, and what to do.
-    notices : list[str]
-        Sentences: what was noticed on the way, such as symmetry.
+    messages : list[Message]
+        What was noticed and what may be wrong; `warnings` and `notices` are parts of it.
+    verdict : Verdict
+        What the messages come to: use, check or do not use.
+    causes : list[Message]
+        Where that is not to use the map as it is: what may be the cause, the likeliest first.
     seconds : dict[str, float]
         The seconds of each stage, by name.
     exact : ExactResult | None
@@ -368,8 +377,9 @@ class MatchResult(MapResult):
     reason: str
     confidence: FloatArray
     n_filled: int
-    warnings: list[str]
-    notices: list[str]
+    messages: list[Message]
+    verdict: Verdict
+    causes: list[Message]
     seconds: dict[str, float]
     exact: ExactResult | None = dataclasses.field(default=None, repr=False)
     differences: Differences | None = dataclasses.field(default=None, repr=False)
@@ -387,4 +397,21 @@ class MatchResult(MapResult):
             "partial": PartialResult._of,
         }
         details = {name: build(fields[name]) for name, build in kinds.items() if fields[name] is not None}
-        return cls(**{**fields, **details})
+        said: dict[str, Any] = {name: messages_of(fields[name]) for name in ("messages", "causes")}
+        return cls(**{**fields, **details, **said, "verdict": Verdict._of(fields["verdict"])})
+
+
+def verdict(result: MatchResult) -> Verdict:
+    """Whether to rely on the map that `match` found: "use", "check" or "do not use", and why.
+
+    It is `MatchResult.verdict`: all its messages count, by their severity.
+
+    Examples
+    --------
+    >>> import counterpart3d as cp
+    >>> a = cp.make_body(0)
+    >>> b, _ = cp.shuffle(a)
+    >>> print(cp.verdict(cp.match(a, b)))
+    use
+    """
+    return result.verdict

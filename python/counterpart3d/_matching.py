@@ -13,9 +13,10 @@ from ._arrays import IntArray
 from ._calls import ProgressLike, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, SurfaceMap, opened, require_length, surface_map_of, vertex_map_of
-from ._match_options import Direction, Method, Pairing, Part, exact_options, known_pairs, spectral_options, with_fields
+from ._match_options import Direction, Method, Pairing, Part, exact_options, match_options, with_fields
 from ._match_results import Differences, ExactResult, FrontiersResult, MatchResult
 from ._meshes import MeshLike, core_mesh
+from ._messages import Verdict, messages_of
 from ._shape_matching import SpectralShape
 
 
@@ -67,12 +68,13 @@ def match(
     soft_landmarks : bool
         Landmarks guide the map, but need not hold exactly.
     excluded : array_like of int, (n, 2), optional
-        Spectral: pairs (source vertex, target vertex) that do not correspond, nor do their surroundings.
+        Pairs (source vertex, target vertex) that do not correspond, nor do their surroundings. Spectral and partial
+        follow this and the next three; under "auto" the map by connectivity is taken only if it agrees with them.
     aligned : bool
-        Spectral: both meshes stand in the same frame: left, up and front in one are so in the other, roughly.
+        Both meshes stand in the same frame: left, up and front in one are so in the other, roughly.
         Not with `symmetric`.
     up, facing : str or array_like, (3,), optional
-        Spectral: directions that are the same in both frames: "x", "y", "z", "-x", "-y", "-z" or a vector. `facing`
+        Directions that are the same in both frames: "x", "y", "z", "-x", "-y", "-z" or a vector. `facing`
         needs `up`.
     symmetric : bool
         Spectral: return the map that swaps left and right, on purpose.
@@ -102,12 +104,14 @@ def match(
     Returns
     -------
     MatchResult
-        A doubtful or incomplete match is a result, not an error: see its `confidence` and `warnings`.
+        A doubtful or incomplete match is a result, not an error: see its `verdict`, `confidence` and `messages`.
 
     Raises
     ------
     InvalidInput
-        An invalid mesh or option; the message names the element.
+        An invalid mesh or option; the message names the element. Also where the method cannot follow what is known of
+        the map (landmarks, excluded, aligned, up, facing); other options that it does not use are notices, of which
+        `choose_method` tells before.
     Canceled
         By the callback.
 
@@ -117,41 +121,33 @@ def match(
     >>> a = cp.make_body(0)
     >>> b, truth = cp.shuffle(cp.deform(a, bend=0.5))
     >>> result = cp.match(a, b)
-    >>> result.method, bool((result.target_from_source == truth).all())
-    ('exact', True)
+    >>> result.method, bool((result.target_from_source == truth).all()), str(result.verdict)
+    ('exact', True, 'use')
     """
     if initial is not None:
         _refuse_beside_initial(locals())
         return _refined(source, target, initial, n_threads, progress)
-    options = with_fields(
-        _core.MatchOptions(),
+    options = match_options(
         method=method,
+        landmarks=landmarks,
+        soft_landmarks=soft_landmarks,
+        excluded=excluded,
+        aligned=aligned,
+        up=up,
+        facing=facing,
+        symmetric=symmetric,
+        part=part,
+        same_scale=same_scale,
+        allow_mirror=allow_mirror,
+        weld_distance=weld_distance,
         min_shared=min_shared,
-        exact=exact_options(allow_mirror, weld_distance),
-        spectral=spectral_options(
-            landmarks,
-            excluded,
-            up,
-            facing,
-            soft_landmarks=soft_landmarks,
-            aligned=aligned,
-            symmetric=symmetric,
-            n_alternatives=n_alternatives,
-        ),
-        spectral_shape=with_fields(_core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed),
-        partial=with_fields(
-            _core.PartialOptions(),
-            part=part,
-            same_scale=same_scale,
-            landmarks=known_pairs(landmarks, "landmarks"),
-            soft_landmarks=soft_landmarks,
-            n_alternatives=n_alternatives,
-            seed=seed,
-        ),
+        n_alternatives=n_alternatives,
+        basis_size=basis_size,
+        n_samples=n_samples,
+        seed=seed,
+        cache=cache,
         n_threads=n_threads,
     )
-    if cache is not None:
-        options.cache = os.fspath(cache)
     source_shape, target_shape = (mesh._shape if isinstance(mesh, SpectralShape) else None for mesh in (source, target))
     with reporting(progress, "matching") as report:
         return MatchResult._of(
@@ -182,16 +178,17 @@ def _refined(
     else:
         pair = _core.surface_map(end, require_length(vertex_map_of(value, end, "initial"), begin))
     with reporting(progress, "matching") as report:
-        image, confidence, n_kept, seconds = _core.refine_map(begin, end, *pair, n_threads, report)
+        found = _core.refine_map(begin, end, *pair, n_threads, report)
     return MatchResult(
-        target_from_source=image,
+        target_from_source=found["target_from_source"],
         method="spectral",
         reason="a map was given to be refined",
-        confidence=confidence,
+        confidence=found["confidence"],
         n_filled=0,
-        warnings=[],
-        notices=[f"refined the given map: {n_kept} of {len(image)} images stayed"],
-        seconds=seconds,
+        messages=messages_of(found["messages"]),
+        verdict=Verdict._of(found["verdict"]),
+        causes=messages_of(found["causes"]),
+        seconds=found["seconds"],
     )
 
 

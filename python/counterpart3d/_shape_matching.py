@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _core
 from ._calls import ProgressLike, Report, part_of, reporting
-from ._match_options import Direction, Part, known_pairs, spectral_options, with_fields
+from ._match_options import Direction, Part, direction, known_pairs, spectral_options, with_fields
 from ._match_results import PartialResult, SpectralResult
 from ._meshes import Mesh, MeshLike, content_of, core_mesh
 
@@ -189,6 +189,10 @@ def match_partial(
     same_scale: bool = False,
     landmarks: Any = None,
     soft_landmarks: bool = False,
+    excluded: Any = None,
+    aligned: bool = False,
+    up: Direction | None = None,
+    facing: Direction | None = None,
     n_samples: int = 900,
     n_alternatives: int = 3,
     seed: int = 0,
@@ -200,7 +204,7 @@ def match_partial(
     Parameters
     ----------
     source, target : MeshLike
-    part, same_scale, landmarks, soft_landmarks
+    part, same_scale, landmarks, soft_landmarks, excluded, aligned, up, facing
         See `match`.
     n_samples : int
         Farthest-point samples of the whole, 200 .. 5000; the part has a quarter as many.
@@ -236,6 +240,10 @@ def match_partial(
         same_scale=same_scale,
         landmarks=known_pairs(landmarks, "landmarks"),
         soft_landmarks=soft_landmarks,
+        excluded=known_pairs(excluded, "excluded"),
+        aligned=aligned,
+        up=direction(up, "up"),
+        facing=direction(facing, "facing"),
         n_samples=n_samples,
         n_alternatives=n_alternatives,
         seed=seed,

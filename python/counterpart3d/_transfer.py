@@ -18,6 +18,7 @@ from ._core import InvalidInput
 from ._maps import MapLike, surface_map_of
 from ._match_options import exact_options, known_pairs
 from ._matching import match
+from ._messages import Message, Telling, messages_of
 from ._meshes import Mesh, MeshLike, arrays_of, content_of, core_mesh
 
 Kind = Literal["colors", "texture_coordinates", "normals", "skin", "morphs", "materials"]
@@ -25,7 +26,7 @@ KINDS: tuple[Kind, ...] = ("colors", "texture_coordinates", "normals", "skin", "
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class TransferResult(Result):
+class TransferResult(Result, Telling):
     """What `transfer` made.
 
     Attributes
@@ -38,15 +39,15 @@ class TransferResult(Result):
         How each attribute was transferred: its name and counts.
     has_materials : bool
         The source's materials came along.
-    warnings : list[str]
-        Sentences: what may be wrong, and what to do.
+    messages : list[Message]
+        What may be wrong, and what to do.
     """
 
     mesh: Mesh
     n_matched: int
     attributes: list[dict[str, Any]]
     has_materials: bool
-    warnings: list[str]
+    messages: list[Message]
 
 
 def transfer(
@@ -102,11 +103,12 @@ def transfer(
     pair = surface_map_of(source_from_target if inverse else target_from_source, begin, end, n_threads)
     with reporting(progress, "transferring") as report:
         fields = _core.transfer(source_content, target_content, *pair, inverse, options, report)
-    return TransferResult(mesh=Mesh._of(fields.pop("content")), **fields)
+    messages = messages_of(fields.pop("messages"))
+    return TransferResult(mesh=Mesh._of(fields.pop("content")), messages=messages, **fields)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class ReorderResult(MapResult):
+class ReorderResult(MapResult, Telling):
     """What `reorder` made.
 
     Attributes
@@ -115,13 +117,13 @@ class ReorderResult(MapResult):
         The target's shape in the source's order.
     target_from_source : ndarray of int, (n_source,)
         The map by which it was put in order.
-    notices : list[str]
-        What a person should know of the match, as sentences.
+    messages : list[Message]
+        What a person should know of the match.
     """
 
     mesh: Mesh
     target_from_source: IntArray
-    notices: list[str]
+    messages: list[Message]
 
 
 def reorder(
@@ -153,8 +155,8 @@ def reorder(
     True
     """
     options = exact_options(allow_mirror, weld_distance)
-    content, image, notices = _core.reorder(content_of(source), content_of(target), options)
-    return ReorderResult(Mesh._of(content), image, notices)
+    content, image, messages = _core.reorder(content_of(source), content_of(target), options)
+    return ReorderResult(Mesh._of(content), image, messages_of(messages))
 
 
 def matched(
@@ -172,8 +174,8 @@ def matched(
         same = len(begin[0]) == len(end[0]) and np.array_equal(begin[1], end[1])
         if not same or (landmarks is not None and len(landmarks) > 0):
             found = match(source, target, landmarks=landmarks, n_threads=n_threads, progress=report)
-            for sentence in found.warnings:
-                warnings.warn(sentence, UserWarning, stacklevel=3)
+            for message in found.warnings:
+                warnings.warn(str(message), UserWarning, stacklevel=3)
             target_from_source = found
     return surface_map_of(target_from_source, *ends, n_threads)
 

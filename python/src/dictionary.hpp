@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "arrays.hpp"
+
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/complete.hpp>
+#include <counterpart/mesh/analyze.hpp>
 
 #include <utility>
 #include <vector>
@@ -38,6 +42,18 @@ inline nb::dict seconds_of(const std::vector<StageTime>& stages) {
     for (const StageTime& stage : stages) seconds[stage.stage.c_str()] = stage.seconds;
     return seconds;
 }
+
+inline nb::list list_of(const std::vector<Message>& messages) {
+    nb::list list;
+    for (const Message& message : messages)
+        list.append(dictionary_of("code", to_string(message.code), "severity", to_string(message.severity),
+                                  "sentence", message.sentence, "subject", to_string(message.where.subject),
+                                  "vertices", array(message.where.vertices)));
+    return list;
+}
+
+/// Of meshes.cpp.
+nb::dict dictionary(const MeshReport& report);
 
 inline nb::dict counts_of(const Coverage& coverage) {
     return dictionary_of("transferred", coverage.transferred, "filled", coverage.filled, "guessed",

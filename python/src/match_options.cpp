@@ -85,12 +85,16 @@ void bind_partial_options(nb::module_& module) {
     options.def(nb::init<>())
         .def_rw("same_scale", &PartialOptions::same_scale)
         .def_rw("soft_landmarks", &PartialOptions::soft_landmarks)
+        .def_rw("aligned", &PartialOptions::aligned)
         .def_rw("n_samples", &PartialOptions::n_samples)
         .def_rw("n_alternatives", &PartialOptions::n_alternatives)
         .def_rw("seed", &PartialOptions::seed)
         .def_rw("n_threads", &PartialOptions::n_threads);
     bind_converted(options, "part", &PartialOptions::part, part_from_name);
     bind_converted(options, "landmarks", &PartialOptions::landmarks, pairs_of);
+    bind_converted(options, "excluded", &PartialOptions::excluded, pairs_of);
+    bind_converted(options, "up", &PartialOptions::up, direction_of);
+    bind_converted(options, "facing", &PartialOptions::facing, direction_of);
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 
 #include <counterpart/io/shape_file.hpp>
 #include <counterpart/match/assignment.hpp>
+#include <counterpart/match/choose_method.hpp>
+#include <counterpart/match/compare.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
 #include <counterpart/match/refine.hpp>
+#include <counterpart/match/verdict.hpp>
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -37,7 +40,7 @@ nb::dict dictionary(ExactResult result) {
         "interchangeable", interchangeable, "automorphisms", dictionary(result.automorphisms),
         "mirror_automorphisms", dictionary(result.mirror_automorphisms), "reversed_triangles",
         result.reversed_triangles, "winding_reversed", result.winding_reversed, "mirrored", result.mirrored,
-        "alternatives", arrays(std::move(result.alternatives)), "notices", result.notices);
+        "alternatives", arrays(std::move(result.alternatives)), "messages", list_of(result.messages));
 }
 
 nb::dict dictionary(MeshDifferences result) {
@@ -48,15 +51,16 @@ nb::dict dictionary(MeshDifferences result) {
                                    array(std::move(edit.target_triangles)), "source_vertices",
                                    array(std::move(edit.source_vertices)), "target_vertices",
                                    array(std::move(edit.target_vertices))));
-    return dictionary_of(
-        "target_from_source", array(result.target_from_source), "source_share", result.source_share,
-        "target_share", result.target_share, "uncertain", array(std::move(result.uncertain)),
-        "source_vertices", array(std::move(result.source_vertices)), "target_vertices",
-        array(std::move(result.target_vertices)), "source_triangles",
-        array(std::move(result.source_triangles)), "target_triangles",
-        array(std::move(result.target_triangles)), "edits", edits, "n_matched_triangles",
-        result.n_matched_triangles, "largest_region", result.largest_region, "winding_reversed",
-        result.winding_reversed, "is_ambiguous", result.is_ambiguous, "summary", result.summary);
+    return dictionary_of("target_from_source", array(result.target_from_source), "source_share",
+                         result.source_share, "target_share", result.target_share, "uncertain",
+                         array(std::move(result.uncertain)), "source_vertices",
+                         array(std::move(result.source_vertices)), "target_vertices",
+                         array(std::move(result.target_vertices)), "source_triangles",
+                         array(std::move(result.source_triangles)), "target_triangles",
+                         array(std::move(result.target_triangles)), "edits", edits, "n_matched_triangles",
+                         result.n_matched_triangles, "largest_region", result.largest_region,
+                         "winding_reversed", result.winding_reversed, "is_ambiguous", result.is_ambiguous,
+                         "summary", result.summary, "messages", list_of(result.messages));
 }
 
 nb::dict dictionary(FrontiersResult result) {
@@ -80,7 +84,7 @@ nb::dict dictionary(SpectralResult result) {
     return dictionary_of("target_from_source", array(result.target_from_source), "source_from_target",
                          array(result.source_from_target), "confidence", array(std::move(result.confidence)),
                          "score", result.score, "margin", result.margin, "alternatives", alternatives,
-                         "warnings", result.warnings, "seconds", seconds_of(result.stages));
+                         "messages", list_of(result.messages), "seconds", seconds_of(result.stages));
 }
 
 nb::dict dictionary(PartialResult result) {
@@ -94,8 +98,23 @@ nb::dict dictionary(PartialResult result) {
                          result.source_share, "target_share", result.target_share, "score", result.score,
                          "agreement", result.agreement, "margin", result.margin, "alternatives", alternatives,
                          "source_touching", array(std::move(result.source_touching)), "target_touching",
-                         array(std::move(result.target_touching)), "warnings", result.warnings, "seconds",
-                         seconds_of(result.stages));
+                         array(std::move(result.target_touching)), "messages", list_of(result.messages),
+                         "seconds", seconds_of(result.stages));
+}
+
+nb::dict dictionary(const Verdict& verdict) {
+    return dictionary_of("advice", to_string(verdict.advice), "reasons", list_of(verdict.reasons));
+}
+
+nb::dict dictionary(const MeshComparison& found) {
+    std::string axes;
+    for (const int axis : found.axes) axes += "xyz"[axis];
+    return dictionary_of("source", dictionary(found.source), "target", dictionary(found.target),
+                         "same_connectivity", found.same_connectivity, "same_order", found.same_order,
+                         "mirrored", found.mirrored, "source_inside_out", found.source_inside_out,
+                         "target_inside_out", found.target_inside_out, "scale", found.scale, "axes", axes,
+                         "distance", found.distance, "same_places", found.same_places, "messages",
+                         list_of(found.messages));
 }
 
 template <class Result>
@@ -107,7 +126,8 @@ nb::dict dictionary(MatchResult result) {
     return dictionary_of(
         "target_from_source", array(result.target_from_source), "method", to_string(result.method), "reason",
         result.reason, "confidence", array(std::move(result.confidence)), "n_filled", result.n_filled,
-        "warnings", result.warnings, "notices", result.notices, "seconds", seconds_of(result.stages), "exact",
+        "messages", list_of(result.messages), "verdict", dictionary(verdict(result)), "causes",
+        list_of(result.causes), "seconds", seconds_of(result.stages), "exact",
         dictionary(std::move(result.exact)), "differences", dictionary(std::move(result.differences)),
         "frontiers", dictionary(std::move(result.frontiers)), "spectral",
         dictionary(std::move(result.spectral)), "partial", dictionary(std::move(result.partial)));
@@ -136,8 +156,12 @@ void bind_refinement(nb::module_& module) {
                 return refine_map(surface_map_of(triangle, weights, target.n_triangles()), source, target,
                                   {.n_threads = n_threads, .progress = std::move(report)});
             });
-            return std::tuple(array(result.target_from_source), array(std::move(result.confidence)),
-                              result.n_kept, seconds_of(result.stages));
+            const std::vector<Message> causes =
+                run([&] { return probable_causes(source, target, result.messages); });
+            return dictionary_of("target_from_source", array(result.target_from_source), "confidence",
+                                 array(std::move(result.confidence)), "messages", list_of(result.messages),
+                                 "verdict", dictionary(verdict(result.messages)), "causes", list_of(causes),
+                                 "seconds", seconds_of(result.stages));
         },
         "source"_a, "target"_a, "triangle"_a, "weights"_a, "n_threads"_a, "progress"_a.none());
 }
@@ -160,6 +184,20 @@ void bind_matching(nb::module_& module) {
         "source"_a, "target"_a, "options"_a, "source_shape"_a.none(), "target_shape"_a.none(),
         "progress"_a.none());
     bind_refinement(module);
+    module.def(
+        "choose_method",
+        [](const Mesh& source, const Mesh& target, const MatchOptions& options) {
+            const MethodChoice choice = run([&] { return choose_method(source, target, options); });
+            return dictionary_of("method", to_string(choice.method), "reason", choice.reason, "messages",
+                                 list_of(choice.messages));
+        },
+        "source"_a, "target"_a, "options"_a);
+    module.def(
+        "compare",
+        [](const Mesh& source, const Mesh& target) {
+            return dictionary(run([&] { return compare(source, target); }));
+        },
+        "source"_a, "target"_a);
     module.def(
         "match_exact",
         [](const Mesh& source, const Mesh& target, ExactOptions options, const nb::object& progress) {

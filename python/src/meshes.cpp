@@ -15,10 +15,6 @@
 #include <numeric>
 
 namespace counterpart::python {
-namespace {
-
-using namespace nb::literals;
-
 nb::dict dictionary(const MeshReport& report) {
     nb::list components;
     for (const ComponentReport& component : report.components)
@@ -37,6 +33,10 @@ nb::dict dictionary(const MeshReport& report) {
                          "is_closed", report.is_closed(), "is_manifold", report.is_manifold(), "area",
                          report.area, "mean_edge_length", report.mean_edge_length, "components", components);
 }
+
+namespace {
+
+using namespace nb::literals;
 
 AttributedMesh content_of(TriangleMesh mesh) {
     AttributedMesh content;

@@ -96,7 +96,8 @@ nb::dict dictionary(TransferResult result) {
                           "without_triangles", attribute.without_triangles, "limited_vertices",
                           attribute.limited_vertices, "unbound_vertices", attribute.unbound_vertices));
     return dictionary_of("content", std::move(result.content), "n_matched", result.n_matched, "attributes",
-                         attributes, "has_materials", result.has_materials, "warnings", result.warnings);
+                         attributes, "has_materials", result.has_materials, "messages",
+                         list_of(result.messages));
 }
 
 void bind_morph(nb::module_& module) {
@@ -138,7 +139,7 @@ void bind_transfer(nb::module_& module) {
             struct Reordered {
                 AttributedMesh content;
                 VertexMap map;
-                std::vector<std::string> notices;
+                std::vector<Message> messages;
             };
             Reordered result = run([&]() -> Reordered {
                 const ExactResult match = match_exact(source.mesh, target.mesh, options);
@@ -148,15 +149,17 @@ void bind_transfer(nb::module_& module) {
                         "), so the order cannot be restored; find_differences says where they differ");
                 Reordered made{
                     reorder(source, target, match.target_from_source, match.target_corner_from_source),
-                    match.target_from_source, match.notices};
+                    match.target_from_source, match.messages};
                 if (match.mirrored) {
                     made.content = turned_inside_out(std::move(made.content));
-                    made.notices.emplace_back(
-                        "its faces are wound the other way than the source's, so that the outside stays out");
+                    made.messages.push_back(
+                        {MessageCode::turned_inside_out, Severity::notice,
+                         "its faces are wound the other way than the source's, so that the "
+                         "outside stays out"});
                 }
                 return made;
             });
-            return std::tuple(std::move(result.content), array(result.map), result.notices);
+            return std::tuple(std::move(result.content), array(result.map), list_of(result.messages));
         },
         "source"_a, "target"_a, "options"_a);
     nb::class_<TransferOptions>(module, "TransferOptions")

@@ -277,7 +277,7 @@ def test_initial_maps_are_refined(scans, program, tmp_path):
     source, target, truth = scans
     rough = np.where(np.random.default_rng(0).random(len(truth)) < 0.3, -1, truth)
     found = cp.match(source, target, initial=rough)
-    assert found.method == "spectral" and "refined the given map" in found.notices[0]
+    assert found.method == "spectral" and any("refined the given map" in str(notice) for notice in found.notices)
     before = cp.complete_map(source, target, np.where(np.arange(len(truth)) % 40, -1, truth))
     refined = cp.match(source, target, initial=before)
     errors = [cp.evaluate(source, target, map, truth).mean_error for map in (before, refined)]

@@ -229,7 +229,7 @@ def test_reorder_keeps_the_outside_of_a_mirror_image_out(name, tmp_path, program
     result = cp.reorder(body, image)
     np.testing.assert_allclose(result.mesh.vertices, body.vertices * [-1, 1, 1])
     assert volume(result.mesh) == pytest.approx(volume(body))
-    assert "the outside stays out" in result.notices[-1]
+    assert result.notices[-1].code == "turned_inside_out"
     cp.write(body, tmp_path / name)
     cp.write(image, tmp_path / ("b" + name))
     command = [program, "reorder", tmp_path / name, tmp_path / ("b" + name), "-o", tmp_path / ("c" + name)]

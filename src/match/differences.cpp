@@ -143,6 +143,9 @@ MeshDifferences find(MeshView source, MeshView target, const Progress& progress)
     if (!regions.empty()) differences.largest_region = static_cast<Index>(regions[0].size());
     differences.edits = differences::find_edits(source, target, differences);
     differences.summary = summarize(source, target, differences);
+    if (differences.is_ambiguous)
+        differences.messages.push_back({MessageCode::close_runner_up, Severity::caution,
+                                        "another way to match the meshes fits nearly as well"});
     report_progress(progress, 1);
     return differences;
 }

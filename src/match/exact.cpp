@@ -68,9 +68,10 @@ ExactResult match_welded(MeshView source, MeshView target, const ExactOptions& o
                      welded_target = weld(target, {options.weld_distance});
     ExactResult result = match_unwelded(welded_source.mesh, welded_target.mesh, options);
     if (!result.identical) return result;
-    result.notices.push_back(fmt::format("welded for the match: {} -> {} and {} -> {} vertices",
-                                         source.n_vertices(), welded_source.mesh.n_vertices(),
-                                         target.n_vertices(), welded_target.mesh.n_vertices()));
+    result.messages.push_back(
+        {MessageCode::welded, Severity::notice,
+         fmt::format("welded for the match: {} -> {} and {} -> {} vertices", source.n_vertices(),
+                     welded_source.mesh.n_vertices(), target.n_vertices(), welded_target.mesh.n_vertices())});
     result.target_from_source = unwelded(result.target_from_source, result.target_corner_from_source, source,
                                          target, welded_source, welded_target);
     // Other matches are known by vertex only; their duplicates all take the first one.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "base/parallel.hpp"
+#include "match/choice/decision.hpp"
+#include "match/choice/requests.hpp"
+#include "match/choice/unused_options.hpp"
 #include "match/differences/beyond.hpp"
 #include "match/differences/sure_pairs.hpp"
-#include "match/partial/roles.hpp"
+#include "match/verdict/doubts.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/map/complete.hpp>
@@ -11,6 +13,7 @@
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
+#include <counterpart/match/verdict.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -21,17 +24,12 @@
 namespace counterpart {
 namespace {
 
-// Shares of the progress bar: the exact tests take milliseconds where spectral takes seconds.
-constexpr double exact_ends = 0.02, differences_end = 0.05;
+using choice::Decision;
 
-// Of MatchOptions::min_shared. Meshes cannot share a larger part than their sizes allow.
-constexpr double least_min_shared = 0.5;
+// Shares of the progress bar: deciding takes milliseconds where spectral takes seconds.
+constexpr double exact_ends = 0.02, decision_ends = 0.05;
 
-// Where less than min_shared is shared, but this much, what connectivity is sure of is kept, and so many of
-// its pairs lead the next method. Errors on cuts and holes: 0.1 gives the same; with 0.5 the test half of the
-// holes has 1.15 in place of 1.01. None of 12 pairs of unlike triangulations reaches it. No other number of
-// pairs was tried.
-constexpr double least_kept_share = 0.3;
+// What connectivity is sure of leads the next method with so many of its pairs. No other number was tried.
 constexpr Index n_leading_pairs = 100;
 
 // A method that turns out not to work has already reported; the next one begins where it did.
@@ -43,39 +41,45 @@ Progress never_decreasing(const Progress& progress) {
     };
 }
 
-// One matcher run on one pair; each step fills in the result or leaves it to the next.
+// One matcher run on one pair; each step fills in the result.
 class Matching {
   public:
     Matching(MeshView source, MeshView target, const MatchOptions& options)
         : source_(source), target_(target), options_(options), progress_(never_decreasing(options.progress)) {
         require_valid(source);
         require_valid(target);
-        if (!(options.min_shared >= least_min_shared && options.min_shared <= 1))
-            throw InvalidInput(fmt::format("min_shared must be from 0.5 to 1, not {}", options.min_shared));
-        if (options.n_threads < 0 || options.n_threads > max_threads)
-            throw InvalidInput(
-                fmt::format("n_threads must be 0 (all) to {}, not {}", max_threads, options.n_threads));
+        choice::require_valid(options);
     }
 
     MatchResult automatic() {
-        const bool only_spectral = options_.spectral.symmetric || !options_.spectral.landmarks.empty();
-        if (only_spectral)
-            reason_ = options_.spectral.symmetric ? "the mirrored map was asked for" : "landmarks are given";
-        else if (by_connectivity())
-            return finished(MatchMethod::exact);
-        if (is_partial() && partial_or_why_not()) return finished(MatchMethod::partial);
-        if (spectral_or_why_not()) return finished(MatchMethod::spectral);
-        nearest(NearestAlignment::similarity, differences_end);
-        return finished(MatchMethod::nearest);
+        Decision decision =
+            choice::decide(source_, target_, options_, part_of(progress_, 0, decision_ends), watch_);
+        reason_ = std::move(decision.reason);
+        sure_ = std::move(decision.sure);
+        result_.exact = std::move(decision.exact);
+        result_.differences = std::move(decision.differences);
+        add(choice::unused_options(options_, decision.method));
+        switch (decision.method) {
+            case MatchMethod::exact:
+                connectivity(decision.may_be_part);
+                return finished(MatchMethod::exact);
+            case MatchMethod::partial:
+                if (partial_or_why_not()) return finished(MatchMethod::partial);
+                [[fallthrough]];
+            case MatchMethod::spectral:
+                if (spectral_or_why_not()) return finished(MatchMethod::spectral);
+                [[fallthrough]];
+            default:
+                nearest(NearestAlignment::similarity, decision_ends);
+                return finished(MatchMethod::nearest);
+        }
     }
 
     MatchResult by_name() {
+        add(choice::unused_options(options_, options_.method));
         switch (options_.method) {
             case MatchMethod::exact:
-                if (!exact(0, exact_ends)) {
-                    find_shared(exact_ends, 1);
-                    take_shared();
-                }
+                exact();
                 break;
             case MatchMethod::frontiers:
                 frontiers();
@@ -99,63 +103,36 @@ class Matching {
     }
 
   private:
-    // The same connectivity, or nearly.
-    bool by_connectivity() {
-        try {
-            if (exact(0, exact_ends)) {
-                reason_ = "the meshes have the same connectivity";
-                return true;
-            }
-            reason_ = "the connectivity differs: " + result_.exact->difference;
-        } catch (const NumericalError& error) {  // a non-manifold mesh that fits in too many ways
-            reason_ = fmt::format("the connectivity does not decide ({})", error.what());
-        }
-        const auto [fewer, more] = std::minmax({source_.n_vertices(), target_.n_vertices()});
-        const bool is_part = shows_a_part();
-        if (!is_part && fewer < least_min_shared * more) return false;
-        const MeshDifferences& shared = find_shared(exact_ends, differences_end);
-        const auto [less_shared, more_shared] = std::minmax({shared.source_share, shared.target_share});
-        // What a part lacks cannot be shared.
-        const double share = shared.is_ambiguous ? 0 : is_part ? more_shared : less_shared;
-        if (share < options_.min_shared) {
-            // What a person says goes before what connectivity shows.
-            const bool is_free = options_.spectral.excluded.empty() && options_.partial.landmarks.empty();
-            if (share >= least_kept_share && is_free) sure_ = differences::sure_images(shared);
-            return false;
-        }
-        reason_ = less_shared < options_.min_shared
-                      ? "the connectivity of one mesh is a part of the other's: "
-                      : "the meshes have nearly the same connectivity: ";
-        reason_ += shared.summary;
+    void add(const std::vector<Message>& messages) {
+        result_.messages.insert(result_.messages.end(), messages.begin(), messages.end());
+    }
+
+    // By what was decided: the isomorphism, or that of what the meshes share, with the gaps filled.
+    void connectivity(bool may_be_part) {
+        if (result_.exact && result_.exact->identical) return take_exact();
         take_shared();
-        fill_gaps(is_part ? differences::beyond_target(shared.target_from_source, source_, target_)
-                          : std::vector<char>(static_cast<std::size_t>(source_.n_vertices()), 0));
-        return true;
+        fill_gaps(may_be_part ? differences::beyond_target(result_.target_from_source, source_, target_)
+                              : std::vector<char>(static_cast<std::size_t>(source_.n_vertices()), 0));
     }
 
-    bool shows_a_part() const {
-        const Part part = options_.partial.part;
-        return (part == Part::unknown ? partial_match::seen_part(source_, target_) : part) != Part::neither;
-    }
-
-    bool exact(double begin, double end) {
+    void exact() {
         ExactOptions options = options_.exact;
         options.n_threads = options_.n_threads;
-        options.progress = part_of(progress_, begin, end);
+        options.progress = part_of(progress_, 0, exact_ends);
         result_.exact = match_exact(source_, target_, options);
         watch_.lap("exact");
-        if (!result_.exact->identical) return false;
-        result_.target_from_source = result_.exact->target_from_source;
-        result_.notices = result_.exact->notices;
-        result_.confidence = Vector::Ones(source_.n_vertices());
-        return true;
+        if (result_.exact->identical) return take_exact();
+        result_.differences = find_differences(
+            source_, target_,
+            {.n_threads = options_.n_threads, .progress = part_of(progress_, exact_ends, 1)});
+        watch_.lap("differences");
+        take_shared();
     }
 
-    const MeshDifferences& find_shared(double begin, double end) {
-        result_.differences = find_differences(
-            source_, target_, {.n_threads = options_.n_threads, .progress = part_of(progress_, begin, end)});
-        watch_.lap("differences");
-        return *result_.differences;
+    void take_exact() {
+        result_.target_from_source = result_.exact->target_from_source;
+        add(result_.exact->messages);
+        result_.confidence = Vector::Ones(source_.n_vertices());
     }
 
     void take_shared() {
@@ -165,6 +142,7 @@ class Matching {
         for (Index v = 0; v < source_.n_vertices(); ++v)
             result_.confidence[v] = shared.target_from_source[v] == VertexMap::unmatched ? 0 : 1;
         for (const Index v : shared.uncertain) result_.confidence[v] = std::min(result_.confidence[v], 0.5);
+        add(shared.messages);
     }
 
     // Of what connectivity is sure of.
@@ -185,13 +163,20 @@ class Matching {
     // Vertices without a partner follow those around them, but for what a part lacks; their confidence stays
     // 0.
     void fill_gaps(const std::vector<char>& lacking) {
-        const Index n_matched = count_matched(result_.target_from_source);
-        if (n_matched == 0 || n_matched == source_.n_vertices()) return;
-        std::vector<Index> image = complete_map(result_.target_from_source, source_, target_).image();
-        for (std::size_t v = 0; v < image.size(); ++v)
-            if (lacking[v] != 0) image[v] = result_.target_from_source[static_cast<Index>(v)];
+        const VertexMap shared = result_.target_from_source;
+        if (count_matched(shared) == 0 || count_matched(shared) == source_.n_vertices()) return;
+        std::vector<Index> image = complete_map(shared, source_, target_).image(), filled;
+        for (std::size_t v = 0; v < image.size(); ++v) {
+            if (lacking[v] != 0) image[v] = shared[static_cast<Index>(v)];
+            if (image[v] != shared[static_cast<Index>(v)]) filled.push_back(static_cast<Index>(v));
+        }
         result_.target_from_source = VertexMap(std::move(image), target_.n_vertices());
-        result_.n_filled = count_matched(result_.target_from_source) - n_matched;
+        result_.n_filled = static_cast<Index>(filled.size());
+        if (!filled.empty())
+            add({{MessageCode::filled_vertices,
+                  Severity::notice,
+                  fmt::format("{} unmatched vertices filled from their neighbors", filled.size()),
+                  {Subject::map, std::move(filled)}}});
         watch_.lap("fill");
     }
 
@@ -206,9 +191,9 @@ class Matching {
     }
 
     void spectral(double begin) {
-        SpectralOptions options = options_.spectral;
+        SpectralOptions options = choice::spectral_options(options_);
         SpectralShapeOptions shape = options_.spectral_shape;
-        options.n_threads = shape.n_threads = options_.n_threads;
+        shape.n_threads = options_.n_threads;
         options.progress = part_of(progress_, begin, 1);
         if (!sure_.empty()) options.landmarks = leading_pairs();
         result_.spectral = options_.prepared_shape ? match_prepared(options, shape)
@@ -216,7 +201,7 @@ class Matching {
         keep_sure(*result_.spectral);
         result_.target_from_source = result_.spectral->target_from_source;
         result_.confidence = result_.spectral->confidence;
-        result_.warnings = result_.spectral->warnings;
+        add(result_.spectral->messages);
         watch_.lap("spectral");
     }
 
@@ -237,7 +222,7 @@ class Matching {
     // False where a mesh is not one that spectral can work on; the reason then says why.
     bool spectral_or_why_not() {
         try {
-            spectral(differences_end);
+            spectral(decision_ends);
             return true;
         } catch (const UnsuitableMesh& error) {
             reason_ += fmt::format("; {}", error.what());
@@ -245,41 +230,21 @@ class Matching {
         }
     }
 
-    // Whether the spectral method, which is for whole surfaces, should not be asked.
-    bool is_partial() {
-        if (options_.spectral.symmetric) return false;
-        const bool is_said = options_.partial.part != Part::unknown;
-        const double open = std::max(partial_match::openness(source_), partial_match::openness(target_));
-        if (is_said) {
-            reason_ += fmt::format("; part: {}", to_string(options_.partial.part));
-        } else if (open > partial_match::open_part) {
-            reason_ += fmt::format(
-                "; a mesh is open: its boundary is {:.2g} times as long as the square root of "
-                "its area",
-                open);
-        }
-        return is_said || open > partial_match::open_part;
-    }
-
     void partial(double begin) {
-        PartialOptions options = options_.partial;
-        options.n_threads = options_.n_threads;
+        PartialOptions options = choice::partial_options(options_);
         options.progress = part_of(progress_, begin, 1);
-        if (options.landmarks.empty()) {
-            options.landmarks = sure_.empty() ? options_.spectral.landmarks : leading_pairs();
-            options.soft_landmarks = options_.spectral.soft_landmarks;
-        }
+        if (!sure_.empty()) options.landmarks = leading_pairs();
         result_.partial = match_partial(source_, target_, options);
         keep_sure(*result_.partial);
         result_.target_from_source = result_.partial->target_from_source;
         result_.confidence = result_.partial->confidence;
-        result_.warnings = result_.partial->warnings;
+        add(result_.partial->messages);
         watch_.lap("partial");
     }
 
     bool partial_or_why_not() {
         try {
-            partial(differences_end);
+            partial(decision_ends);
             return true;
         } catch (const UnsuitableMesh& error) {
             reason_ += fmt::format("; {}", error.what());
@@ -297,8 +262,8 @@ class Matching {
                                          .target_from_source;
         result_.confidence = Vector::Zero(source_.n_vertices());
         if (options_.method == MatchMethod::automatic)
-            result_.warnings.push_back(
-                "matched by position alone, after the best similarity alignment: check the map");
+            add({{MessageCode::by_position, Severity::caution,
+                  "matched by position alone, after the best similarity alignment: check the map"}});
         watch_.lap("nearest");
     }
 
@@ -316,9 +281,28 @@ class Matching {
             for (Index v = 0; v < source_.n_vertices(); ++v)
                 if (result_.target_from_source[v] == VertexMap::unmatched) result_.confidence[v] = 0;
         if (options_.method == MatchMethod::automatic) result_.reason = std::move(reason_);
+        judge();
         result_.stages = watch_.stages();
         report_progress(progress_, 1);
         return std::move(result_);
+    }
+
+    // What the map itself says, and where it is doubtful, why.
+    void judge() {
+        const VertexMap& map = result_.target_from_source;
+        const std::string against =
+            choice::contradiction(map, source_, target_, choice::spectral_options(options_));
+        if (!against.empty())
+            add({{MessageCode::against_request, Severity::caution,
+                  against + ": nothing better was found that does not"}});
+        const double target_share = result_.partial ? result_.partial->target_share
+                                    : result_.differences && result_.method == MatchMethod::exact
+                                        ? result_.differences->target_share
+                                        : judgment::share_of_images(map);
+        if (!contains(result_.messages, MessageCode::by_position))
+            add(judgment::doubts(map, result_.confidence, source_, target_share));
+        result_.causes = probable_causes(source_, target_, result_.messages);
+        watch_.lap("verdict");
     }
 
     MeshView source_;

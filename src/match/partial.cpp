@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "base/to_size.hpp"
+#include "match/partial/cleaned.hpp"
 #include "match/partial/confidence.hpp"
 #include "match/partial/fused.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
+#include "match/partial/requests.hpp"
 #include "match/partial/roles.hpp"
+#include "match/spectral/priors.hpp"
+#include "match/spectral/requests.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/partial.hpp>
@@ -26,42 +31,10 @@ using namespace partial_match;
 using spectral_match::Preprocessed;
 
 void require_valid(const PartialOptions& options, MeshView source, MeshView target) {
-    if (options.n_alternatives < 0 || options.n_alternatives > 10)
-        throw InvalidInput(
-            fmt::format("the number of alternatives must be from 0 to 10, not {}", options.n_alternatives));
     if (options.n_samples < 200 || options.n_samples > 5000)
         throw InvalidInput(
             fmt::format("the number of samples must be from 200 to 5000, not {}", options.n_samples));
-    for (const auto& [s, t] : options.landmarks)
-        if (s < 0 || s >= source.n_vertices() || t < 0 || t >= target.n_vertices())
-            throw InvalidInput(
-                fmt::format("landmark ({}, {}) is out of range: the meshes have {} and {} vertices", s, t,
-                            source.n_vertices(), target.n_vertices()));
-}
-
-Preprocessed cleaned(MeshView mesh, const std::string& name) {
-    constexpr Index min_vertices = 50;
-    const double area = surface_area(mesh);
-    if (!(area > 0))
-        throw UnsuitableMesh(fmt::format("the {} has no area: all its triangles are degenerate", name));
-    if (!std::isfinite(area))
-        throw UnsuitableMesh(fmt::format("the {} is too large to measure: scale it down first", name));
-    Preprocessed result = spectral_match::preprocess(mesh);
-    if (result.mesh.n_vertices() < min_vertices)
-        throw UnsuitableMesh(
-            fmt::format("partial matching needs meshes of at least {} vertices, but the {} has {}: too "
-                        "few to show a shape; subdivide it first",
-                        min_vertices, name, result.mesh.n_vertices()));
-    return result;
-}
-
-void require_room_for_distances(const Preprocessed& cleaned, const std::string& name) {
-    constexpr Index max_vertices = 500000;  // 2 GB
-    if (cleaned.mesh.n_vertices() > max_vertices)
-        throw UnsuitableMesh(fmt::format(
-            "partial matching keeps distances from 900 samples to all vertices, too many for the {} of {} "
-            "vertices: simplify it to at most {} first",
-            name, cleaned.mesh.n_vertices(), max_vertices));
+    spectral_match::require_valid(as_of_spectral(options), source.n_vertices(), target.n_vertices());
 }
 
 TriangleMesh in_units(MeshView mesh, double unit) {
@@ -86,8 +59,6 @@ class PartialMatching {
           bends_source_(part == Part::source ||
                         (part == Part::both && openness(source_.mesh) >= openness(target_.mesh))) {
         result_.part = part;
-        require_room_for_distances(source_, "source");
-        require_room_for_distances(target_, "target");
     }
 
     PartialResult run() {
@@ -101,6 +72,7 @@ class PartialMatching {
         std::vector<Fit> found =
             fits(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.9));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
+        rank(found, *part_, *whole_, requests(), tuning_.requests);
         take(found, finish(pair, found.front().bent, part_is_covered(), tuning_, progress_.part(0.9, 0.98)));
         result_.stages = watch_.stages();
         return std::move(result_);
@@ -144,6 +116,15 @@ class PartialMatching {
         for (std::size_t u = 0; !options_.soft_landmarks && u < options_.landmarks.size(); ++u)
             pairs.emplace_back(part_->samples[u], whole_->samples[u]);
         return pairs;
+    }
+
+    // What is known of the map besides landmarks, on the part and on the whole.
+    Requests requests() const {
+        Requests known{{}, spectral_match::common_directions(as_of_spectral(options_))};
+        for (const auto& [s, t] : options_.excluded)
+            known.excluded.emplace_back(of_part().matched_of_input[to_size(bends_source_ ? s : t)],
+                                        of_whole().matched_of_input[to_size(bends_source_ ? t : s)]);
+        return known;
     }
 
     // Both have unit area now.
@@ -203,7 +184,9 @@ class PartialMatching {
                                         ? whole_confidence(found.front(), finished.misfit, tuning_.confidence)
                                         : of_part_vertices[on_part];
         }
-        result_.warnings = warnings(result_, source_, target_, finished.misfit, tuning_.confidence);
+        result_.messages =
+            messages_on(result_, source_, target_, finished.misfit,
+                        best_elsewhere(found, *whole_, tuning_.confidence), tuning_.confidence);
         watch_.lap("confidence");
     }
 
@@ -252,6 +235,7 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
             Stopwatch watch;
             Preprocessed a = cleaned(source, "source"), b = cleaned(target, "target");
             const Part part = options.part == Part::unknown ? seen_part(a.mesh, b.mesh) : options.part;
+            if (part != Part::neither) require_room_for_distances(a, b);
             watch.lap("clean");
             if (part == Part::neither)
                 return match_fused(source, target, options, {}, std::move(watch), progress);

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "match/verdict/doubts.hpp"
+
 #include <counterpart/map/complete.hpp>
 #include <counterpart/match/refine.hpp>
 #include <counterpart/match/spectral.hpp>
 
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace counterpart {
 namespace {
@@ -22,6 +26,12 @@ RefineResult refine_completed(const VertexMap& start, MeshView source, MeshView 
     result.score = refined.score;
     for (Index v = 0; v < source.n_vertices(); ++v)
         result.n_kept += result.target_from_source[v] == start[v] ? 1 : 0;
+    result.messages = std::move(refined.messages);
+    result.messages.push_back(
+        {MessageCode::refined, Severity::notice,
+         fmt::format("refined the given map: {} of {} images stayed", result.n_kept, source.n_vertices())});
+    for (Message& doubt : judgment::doubts(result.target_from_source, result.confidence, source, 1))
+        result.messages.push_back(std::move(doubt));
     result.stages = std::move(refined.stages);
     return result;
 }

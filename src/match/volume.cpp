@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "base/to_size.hpp"
+#include "match/verdict/doubts.hpp"
 #include "match/volume/extension.hpp"
 #include "match/volume/isomorphism.hpp"
 #include "numerics/nearest_neighbors.hpp"
@@ -57,7 +58,7 @@ VolumeResult by_surfaces(const TetrahedralMesh& source, const TetrahedralMesh& t
     VolumeResult result;
     result.method = MatchMethod::spectral;
     result.spectral = match_spectral(from.mesh, to.mesh, how, options.spectral_shape);
-    result.warnings = result.spectral->warnings;
+    result.messages = result.spectral->messages;
     watch.lap("surfaces");
     const VertexMap& surface_map = result.spectral->target_from_source;
     const SurfaceMap points = project_map(from.mesh, to.mesh, surface_map, {.n_threads = options.n_threads});
@@ -80,6 +81,31 @@ VolumeResult by_surfaces(const TetrahedralMesh& source, const TetrahedralMesh& t
     return result;
 }
 
+VolumeResult matched(const TetrahedralMesh& source, const TetrahedralMesh& target,
+                     const VolumeOptions& options) {
+    switch (options.method) {
+        case MatchMethod::frontiers:
+            return by_frontiers(source, target, options);
+        case MatchMethod::spectral:
+            return by_surfaces(source, target, options);
+        case MatchMethod::exact:
+            return volume::match_connectivity(source, target, options.allow_mirror, options.progress);
+        case MatchMethod::automatic:
+            break;
+        default:
+            throw InvalidInput(fmt::format("solids are not matched by '{}': use exact, frontiers or spectral",
+                                           to_string(options.method)));
+    }
+    VolumeResult exact =
+        volume::match_connectivity(source, target, options.allow_mirror, part_of(options.progress, 0, 0.1));
+    if (exact.identical) return exact;
+    VolumeOptions rest = options;
+    rest.progress = part_of(options.progress, 0.1, 1);
+    VolumeResult result = by_surfaces(source, target, rest);
+    result.difference = std::move(exact.difference);
+    return result;
+}
+
 }  // namespace
 
 VolumeResult match_volume(const TetrahedralMesh& source, const TetrahedralMesh& target,
@@ -87,27 +113,11 @@ VolumeResult match_volume(const TetrahedralMesh& source, const TetrahedralMesh& 
     require_valid(source);
     require_valid(target);
     return with_threads(options.n_threads, [&] {
-        switch (options.method) {
-            case MatchMethod::frontiers:
-                return by_frontiers(source, target, options);
-            case MatchMethod::spectral:
-                return by_surfaces(source, target, options);
-            case MatchMethod::exact:
-                return volume::match_connectivity(source, target, options.allow_mirror, options.progress);
-            case MatchMethod::automatic:
-                break;
-            default:
-                throw InvalidInput(
-                    fmt::format("solids are not matched by '{}': use exact, frontiers or spectral",
-                                to_string(options.method)));
-        }
-        VolumeResult exact = volume::match_connectivity(source, target, options.allow_mirror,
-                                                        part_of(options.progress, 0, 0.1));
-        if (exact.identical) return exact;
-        VolumeOptions rest = options;
-        rest.progress = part_of(options.progress, 0.1, 1);
-        VolumeResult result = by_surfaces(source, target, rest);
-        result.difference = std::move(exact.difference);
+        VolumeResult result = matched(source, target, options);
+        if (result.method == MatchMethod::exact && !result.identical) return result;
+        for (Message& doubt :
+             judgment::doubts(result.target_from_source, result.confidence, all_faces(source), 1))
+            result.messages.push_back(std::move(doubt));
         return result;
     });
 }

@@ -101,12 +101,13 @@ void warn_of_another_place(TransferResult& result, const SurfaceMap& source_from
     const auto far = shares.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(shares.size()));
     std::nth_element(shares.begin(), far, shares.end());
     if (mean > noticeable || *far > noticeable_part)
-        result.warnings.push_back(fmt::format(
-            "the target is {:.0f} % of the source's size away from the source on average, {:.0f} % or more "
-            "for "
-            "a twentieth of its vertices, but the "
-            "skeleton stays in place: move the target into the source's bind pose and position first",
-            100 * mean, 100 * *far));
+        result.messages.push_back(
+            {MessageCode::skeleton_stays, Severity::caution,
+             fmt::format(
+                 "the target is {:.0f} % of the source's size away from the source on average, {:.0f} % "
+                 "or more for a twentieth of its vertices, but the skeleton stays in place: move the "
+                 "target into the source's bind pose and position first",
+                 100 * mean, 100 * *far)});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
@@ -39,7 +40,8 @@ struct MeshDifferences {
     bool winding_reversed = false;  ///< the target is wound against the source
     /// Another way to match the meshes had nearly as much evidence: then every vertex is uncertain.
     bool is_ambiguous = false;
-    std::string summary;  ///< one sentence
+    std::string summary;            ///< one sentence
+    std::vector<Message> messages;  ///< where to doubt it
 };
 
 /// Finds what two meshes of nearly the same connectivity share, and names where they differ.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
@@ -72,7 +73,7 @@ struct ExactResult {
     bool mirrored = false;
     std::vector<VertexMap> alternatives;  ///< the same for other automorphisms, best first
 
-    std::vector<std::string> notices;  ///< all of the above that a person should know, as sentences
+    std::vector<Message> messages;  ///< all of the above that a person should know
 };
 
 /// Matches meshes with the same connectivity whatever their numbering, winding, pose, genus, borders and

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/frontier/frontiers.hpp>
 #include <counterpart/map/vertex_map.hpp>
@@ -91,6 +92,7 @@ struct GeodesicFrontiersResult {
     /// Largest difference, over all distances, between the fractions of the two surfaces within that distance
     /// of their seeds; 0 where these area profiles agree.
     double profile_difference = 0;
+    std::vector<Message> messages;  ///< where to doubt the map
     std::vector<StageTime> stages;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/frontiers.hpp>
@@ -54,9 +55,10 @@ struct MatchResult {
     /// doubt, 0 for vertices that are unmatched or only follow those around them; of spectral and partial
     /// their own; of nearest and assignment 0, as nothing speaks for them but place.
     Vector confidence;
-    Index n_filled = 0;                 ///< vertices without a partner that follow those around them
-    std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
-    std::vector<std::string> notices;   ///< sentences: what was noticed on the way, such as symmetry
+    Index n_filled = 0;             ///< vertices without a partner that follow those around them
+    std::vector<Message> messages;  ///< what was noticed and what may be wrong, as verdict reads it
+    /// Where the verdict is not to use the map as it is: what may be the cause, the likeliest first.
+    std::vector<Message> causes;
     std::vector<StageTime> stages;
 
     // What the methods that ran found, with their details.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
@@ -33,6 +34,10 @@ struct PartialOptions {
     /// where no two share a vertex.
     std::vector<std::pair<Index, Index>> landmarks{};
     bool soft_landmarks = false;  ///< landmarks guide the search only
+    /// What is known of the map besides, as in SpectralOptions: maps that go against it lose.
+    std::vector<std::pair<Index, Index>> excluded{};
+    bool aligned = false;
+    Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();
     int n_samples = 900;  ///< farthest-point samples of the whole, 200 .. 5000; a quarter as many of the part
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
     std::uint64_t seed = 0;  ///< of the groups that are tried; good maps do not depend on it
@@ -64,8 +69,8 @@ struct PartialResult {
     std::vector<PartialAlternative> alternatives;  ///< best first
     /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.
     std::vector<Index> source_touching, target_touching;
-    std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
-    std::vector<StageTime> stages;      ///< seconds of each stage, named as in docs/partial.md
+    std::vector<Message> messages;  ///< what was noticed and what may be wrong
+    std::vector<StageTime> stages;  ///< seconds of each stage, named as in docs/partial.md
 };
 
 /// Automatic dense correspondence where a mesh shows only a part of the other, has holes, or is fused with

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/surface_map.hpp>
 #include <counterpart/map/vertex_map.hpp>
@@ -20,8 +21,9 @@ struct RefineOptions {
 struct RefineResult {
     VertexMap target_from_source, source_from_target;  ///< every vertex is matched
     Vector confidence;                                 ///< per source vertex, in [0, 1]: see SpectralResult
-    double score = 0;  ///< of the map, at least that of the given one: see SpectralResult
-    Index n_kept = 0;  ///< source vertices whose image stayed
+    double score = 0;               ///< of the map, at least that of the given one: see SpectralResult
+    Index n_kept = 0;               ///< source vertices whose image stayed
+    std::vector<Message> messages;  ///< how many stayed, and what the confidence says of the map
     std::vector<StageTime> stages;
 };
 

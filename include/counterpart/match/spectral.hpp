@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
@@ -101,7 +102,7 @@ struct SpectralResult {
     double score = 0;   ///< of the best map (equation 4), larger is better: 1.5 = the same shape, bent
     double margin = 0;  ///< over the best runner-up's score; infinite if there is none
     std::vector<SpectralAlternative> alternatives;  ///< best first
-    std::vector<std::string> warnings;              ///< sentences: what may be wrong, and what to do
+    std::vector<Message> messages;                  ///< what was noticed and what may be wrong
     std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/spectral.md
 };
 

@@ -28,12 +28,12 @@ struct VolumeResult {
     MatchMethod method = MatchMethod::automatic;  ///< the one that found the map
     Vector confidence;  ///< per source vertex, in [0, 1]: of exact 1, of frontiers and spectral their own;
                         ///< inside the solid spectral continues that of its surface
-    bool identical = false;  ///< exact: the tetrahedra have the same connectivity
-    std::string difference;  ///< exact, where they have not: the first difference found, as a sentence
-    bool mirrored = false;   ///< exact: the target is a mirror image
-    Index n_components = 0;  ///< exact: connected through faces
-    Count automorphisms;     ///< exact: of the source, orientation-preserving, with the identity
-    std::vector<std::string> warnings, notices;  ///< sentences
+    bool identical = false;         ///< exact: the tetrahedra have the same connectivity
+    std::string difference;         ///< exact, where they have not: the first difference found, as a sentence
+    bool mirrored = false;          ///< exact: the target is a mirror image
+    Index n_components = 0;         ///< exact: connected through faces
+    Count automorphisms;            ///< exact: of the source, orientation-preserving, with the identity
+    std::vector<Message> messages;  ///< what was noticed and what may be wrong
     std::vector<StageTime> stages;
     std::optional<FrontiersResult> frontiers{};
     std::optional<SpectralResult> spectral{};  ///< of the two surfaces

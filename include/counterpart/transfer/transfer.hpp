@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/base/progress.hpp>
 #include <counterpart/map/complete.hpp>
 #include <counterpart/map/surface_map.hpp>
@@ -44,7 +45,7 @@ struct TransferResult {
     bool has_materials = false;  ///< materials of the source were transferred
     /// With skin or materials: for each target triangle the part of the source that it maps to.
     std::vector<Index> source_parts{};
-    std::vector<std::string> warnings{};  ///< sentences for the user: what may be wrong, and what to do
+    std::vector<Message> messages{};  ///< what may be wrong, and what to do
 };
 
 /// The source's attributes on the target's mesh: corners (transfer_corners, transfer_normals), skin

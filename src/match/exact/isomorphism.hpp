@@ -8,7 +8,7 @@
 namespace counterpart::exact {
 
 struct Isomorphism {
-    ExactResult result;  ///< without notices
+    ExactResult result;  ///< without messages
     Described source;
 };
 

@@ -6,7 +6,7 @@
 
 namespace counterpart::exact {
 
-/// What the notices tell of the source, besides what the result holds.
+/// What the messages tell of the source, besides what the result holds.
 struct Described {
     const char* faces = "triangles";
     Index n_faces = 0, n_reversed = 0;
@@ -14,7 +14,7 @@ struct Described {
     std::size_t n_isolated = 0;
 };
 
-/// Adds the notices of a match that was found.
+/// Adds the messages on a match that was found.
 void describe(const Described& source, ExactResult& result);
 
 }  // namespace counterpart::exact

@@ -69,7 +69,7 @@ VertexMap without_centers(const VertexMap& map, Index n_source, Index n_target) 
     return {{map.image().begin(), map.image().begin() + n_source}, n_target};
 }
 
-// Without notices.
+// Without messages.
 Isomorphism match_coned(MeshView source, MeshView target, const ExactOptions& options) {
     const Polygons &from = *source.polygons, &to = *target.polygons;
     TriangleMesh a, b;
@@ -119,8 +119,9 @@ ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions&
     if (!result.identical) return std::move(result);
     describe(found.source, result);
     if (result.recut_polygons > 0)
-        result.notices.push_back(fmt::format("{} of {} polygons are cut into other triangles in the target",
-                                             result.recut_polygons, source.polygons->count()));
+        result.messages.push_back({MessageCode::recut_polygons, Severity::notice,
+                                   fmt::format("{} of {} polygons are cut into other triangles in the target",
+                                               result.recut_polygons, source.polygons->count())});
     return std::move(result);
 }
 
@@ -137,8 +138,9 @@ std::optional<ExactResult> match_recut(MeshView source, MeshView target, const E
     found.source.n_faces = source.n_triangles();
     found.source.n_reversed = result.reversed_triangles;
     describe(found.source, result);
-    result.notices.push_back(
-        fmt::format("{} quads are cut along the other diagonal in the target", result.recut_polygons));
+    result.messages.push_back(
+        {MessageCode::recut_polygons, Severity::notice,
+         fmt::format("{} quads are cut along the other diagonal in the target", result.recut_polygons)});
     return std::move(result);
 }
 

@@ -106,7 +106,7 @@ frontier::SeedSelection sources_of(const ComponentMesh& source, const ComponentM
     frontier::SeedSelection selection = frontier::select_seeds(
         source.mesh, source.adjacency, ours, target.mesh, target.adjacency, theirs, selection_options);
     if (selection.targets.empty())
-        throw InvalidInput(
+        throw UnsuitableMesh(
             fmt::format("the connectivity differs: no target vertex has the frontiers of source vertex {}; "
                         "the closest ones agree up to "
                         "level {} and differ at the next",

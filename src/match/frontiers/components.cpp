@@ -35,8 +35,8 @@ std::uint64_t signature_of(MeshView mesh, const Adjacency& adjacency) {
 }
 
 [[noreturn]] void differ(const std::string& what) {
-    throw InvalidInput("the connectivity differs: " + what +
-                       "; the frontier method needs two meshes of the same connectivity");
+    throw UnsuitableMesh("the connectivity differs: " + what +
+                         "; the frontier method needs two meshes of the same connectivity");
 }
 
 void require_same(Index ours, Index theirs, const char* what) {

@@ -20,6 +20,8 @@
 namespace counterpart {
 namespace {
 
+constexpr double much_difference = 0.1;  // of two area profiles
+
 constexpr int profile_steps = 64;
 constexpr std::size_t most_candidates = 8;
 
@@ -178,6 +180,10 @@ GeodesicFrontiersResult match(MeshView source, MeshView target, const GeodesicFr
     result.source_seed = start.source_vertex;
     result.target_seed = start.target_vertex;
     result.profile_difference = start.profile_difference;
+    if (start.profile_difference > much_difference)
+        result.messages.push_back(
+            {MessageCode::unsure, Severity::caution,
+             "the surfaces around the two seeds differ too much: this map is unreliable"});
     result.n_bands = n;
     watch.lap("frontiers");
     std::vector<Index> image(to_size(source.n_vertices()), VertexMap::unmatched);

@@ -106,7 +106,7 @@ class LoopPairing {
         for (std::size_t i = 0; i < ours.size(); ++i) {
             const Index other = chosen[i] >= 0 ? theirs[to_size(chosen[i])].second : unknown;
             if (other < 0 || a_.loops[ours[i].second].size() != b_.loops[other].size())
-                throw InvalidInput(fmt::format(
+                throw UnsuitableMesh(fmt::format(
                     "the connected components of frontier {} around source vertex {} and target vertex {} "
                     "differ in size; the connectivity differs or these two vertices do not correspond",
                     k_, a_.frontiers.source(), b_.frontiers.source()));

@@ -78,7 +78,7 @@ Matrix pairing_cost(std::span<const Index> source, PointsView aligned, std::span
 
 void require_same_frontiers(const FrontierSide& source, const FrontierSide& target) {
     const auto differ = [&](Index level, Index ours, Index theirs, const char* what) {
-        throw InvalidInput(fmt::format(
+        throw UnsuitableMesh(fmt::format(
             "the frontiers of source vertex {} and target vertex {} first differ at level {}: {} {} "
             "in the source and {} in the target; the connectivity differs or these two vertices do not "
             "correspond",

@@ -15,21 +15,24 @@ bool agree(const BentSource& a, const BentSource& b, std::size_t v, const Surfac
     return (whole.mesh.vertices.row(a.image[v]) - whole.mesh.vertices.row(b.image[v])).norm() < distance;
 }
 
-void add_mesh_warnings(const spectral_match::Preprocessed& mesh, const std::string& name,
-                       std::vector<std::string>& sentences) {
-    const auto add = [&](bool holds, const std::string& sentence) {
-        if (holds) sentences.push_back(name + ": " + sentence);
+using Messages = std::vector<Message>;
+
+void add_on_mesh(const spectral_match::Preprocessed& mesh, Subject subject, Messages& messages) {
+    const auto add = [&](bool holds, MessageCode code, const std::string& sentence,
+                         std::vector<Index> vertices = {}) {
+        if (holds) messages.push_back({code, Severity::notice, sentence, {subject, std::move(vertices)}});
     };
-    add(mesh.was_inside_out, "inside out; its triangles were flipped for matching");
-    add(mesh.n_one_sided > 0,
+    add(mesh.was_inside_out, MessageCode::inside_out, "inside out; its triangles were flipped for matching");
+    add(mesh.n_one_sided > 0, MessageCode::one_sided,
         "a part of the surface is one-sided, like a Moebius band; left and right are undefined there");
-    add(mesh.n_components > 1,
+    add(mesh.n_components > 1, MessageCode::several_components,
         fmt::format("{} components; little is known of the distances between them", mesh.n_components));
-    add(mesh.n_small_components > 0,
+    add(mesh.n_small_components > 0, MessageCode::small_components,
         fmt::format(
             "left out {} small components ({:.2g} % of the area); each of their vertices is matched like the "
             "nearest one",
-            mesh.n_small_components, 100 * mesh.small_share));
+            mesh.n_small_components, 100 * mesh.small_share),
+        mesh.left_out);
 }
 
 // Infinite if nothing is matched.
@@ -79,41 +82,47 @@ Vector confidence(const Surface& part, const Surface& whole, const std::vector<F
     return result;
 }
 
-std::vector<std::string> warnings(const PartialResult& result, const spectral_match::Preprocessed& source,
-                                  const spectral_match::Preprocessed& target, double misfit,
-                                  const ConfidenceTuning& tuning) {
-    std::vector<std::string> sentences;
-    add_mesh_warnings(source, "source", sentences);
-    add_mesh_warnings(target, "target", sentences);
-    const std::size_t n_of_meshes = sentences.size();
-    if (result.score < tuning.poor_score)
-        sentences.push_back(
-            fmt::format("the surfaces look little alike where they are matched (score {:.2f}): they may not "
-                        "show the same thing, or "
-                        "their scales differ; do not rely on this map",
-                        result.score));
-    if (misfit > tuning.much_misfit)
-        sentences.push_back(fmt::format(
-            "{:.0f} % of a mesh lies where the other goes on and yet fits nothing there: the parts "
-            "may not overlap, or not as they were matched; do not rely on this map without a look",
-            100 * misfit));
-    if (result.margin < tuning.close_margin)
-        sentences.push_back(fmt::format(
-            "the part fits elsewhere nearly as well (score {:.3f} against {:.3f}; {:.0f} % of it goes "
-            "elsewhere): inspect both, or give landmarks",
-            result.alternatives.empty() ? result.score - result.margin : result.alternatives[0].score,
-            result.score, result.alternatives.empty() ? 100 : 100 * result.alternatives[0].moved));
+std::optional<Elsewhere> best_elsewhere(const std::vector<Fit>& found, const Surface& whole,
+                                        const ConfidenceTuning& tuning) {
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        const double moved = share_moved(found[0].bent, found[i].bent, whole, tuning);
+        if (moved >= tuning.least_moved)
+            return Elsewhere{found[i].score, found[0].total - found[i].total, moved};
+    }
+    return std::nullopt;
+}
+
+std::vector<Message> messages_on(const PartialResult& result, const spectral_match::Preprocessed& source,
+                                 const spectral_match::Preprocessed& target, double misfit,
+                                 const std::optional<Elsewhere>& elsewhere, const ConfidenceTuning& tuning) {
+    Messages messages;
+    add_on_mesh(source, Subject::source, messages);
+    add_on_mesh(target, Subject::target, messages);
+    const auto add = [&](bool holds, MessageCode code, Severity severity, const std::string& sentence) {
+        if (holds) messages.push_back({code, severity, sentence});
+    };
+    add(result.score < tuning.poor_score, MessageCode::poor_score, Severity::do_not_use,
+        fmt::format("the surfaces look little alike where they are matched (score {:.2f}): they may not show "
+                    "the same thing, or their scales differ; do not rely on this map",
+                    result.score));
+    add(misfit > tuning.much_misfit, MessageCode::misfit, Severity::caution,
+        fmt::format("{:.0f} % of a mesh lies where the other goes on and yet fits nothing there: the parts "
+                    "may not overlap, or not as they were matched",
+                    100 * misfit));
+    if (elsewhere && elsewhere->behind < tuning.close_margin)
+        add(true, MessageCode::close_runner_up, Severity::caution,
+            fmt::format("the part fits elsewhere nearly as well (score {:.3f} against {:.3f}; {:.0f} % of it "
+                        "goes elsewhere): inspect both, or give landmarks",
+                        elsewhere->score, result.score, 100 * elsewhere->moved));
     const double mean = mean_of_matched(result);
-    if (sentences.size() == n_of_meshes && mean < tuning.unsure)
-        sentences.push_back(
-            fmt::format("the map as a whole is unsure (mean confidence {:.2f} where it matches): the meshes "
-                        "may not show the "
-                        "same thing, or "
-                        "too little of it; do not rely on this map without a look",
-                        mean));
-    if (result.target_from_source.source_size() > 0 && count_matched(result.target_from_source) == 0)
-        sentences.push_back("nothing of the source has a partner on the target: the meshes do not overlap");
-    return sentences;
+    add(gravest(messages) == Severity::notice && mean < tuning.unsure, MessageCode::unsure, Severity::caution,
+        fmt::format("the map as a whole is unsure (mean confidence {:.2f} where it matches): the meshes may "
+                    "not show the same thing, or too little of it",
+                    mean));
+    add(result.target_from_source.source_size() > 0 && count_matched(result.target_from_source) == 0,
+        MessageCode::no_partners, Severity::do_not_use,
+        "nothing of the source has a partner on the target: the meshes do not overlap");
+    return messages;
 }
 
 }  // namespace counterpart::partial_match

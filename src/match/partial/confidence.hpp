@@ -6,7 +6,7 @@
 
 #include <counterpart/match/partial.hpp>
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace counterpart::partial_match {
@@ -23,9 +23,18 @@ double share_moved(const BentSource& a, const BentSource& b, const Surface& whol
 Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
                   const ConfidenceTuning& tuning);
 
-/// Sentences about what makes the match doubtful.
-std::vector<std::string> warnings(const PartialResult& result, const spectral_match::Preprocessed& source,
-                                  const spectral_match::Preprocessed& target, double misfit,
-                                  const ConfidenceTuning& tuning);
+/// The best other way in which the part fits that takes a noticeable share of it elsewhere.
+struct Elsewhere {
+    double score = 0;   ///< of that fit
+    double behind = 0;  ///< the first one, in totals
+    double moved = 0;   ///< share of the part's vertices
+};
+std::optional<Elsewhere> best_elsewhere(const std::vector<Fit>& found, const Surface& whole,
+                                        const ConfidenceTuning& tuning);
+
+/// What was noticed in the meshes, and what makes the match doubtful.
+std::vector<Message> messages_on(const PartialResult& result, const spectral_match::Preprocessed& source,
+                                 const spectral_match::Preprocessed& target, double misfit,
+                                 const std::optional<Elsewhere>& elsewhere, const ConfidenceTuning& tuning);
 
 }  // namespace counterpart::partial_match

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/fused.hpp"
 
+#include "match/partial/requests.hpp"
 #include "match/partial/tears.hpp"
 #include "match/spectral/pipeline.hpp"
 
@@ -9,6 +10,8 @@
 
 #include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace counterpart::partial_match {
 namespace {
@@ -22,14 +25,20 @@ double share_moved(const Points& best, const Points& other, double distance) {
     return ((best - other).rowwise().norm().array() >= distance).cast<double>().mean();
 }
 
+void add_touching(Subject subject, const std::vector<Index>& vertices, std::vector<Message>& messages) {
+    if (!vertices.empty())
+        messages.push_back(
+            {MessageCode::fused,
+             Severity::notice,
+             fmt::format("may be fused with itself: the map tears at {} of its vertices", vertices.size()),
+             {subject, vertices}});
+}
+
 }  // namespace
 
 PartialResult match_fused(MeshView source, MeshView target, const PartialOptions& options,
                           const PartialTuning& tuning, Stopwatch watch, const ProgressRange& progress) {
-    SpectralOptions matching;
-    matching.landmarks = options.landmarks;
-    matching.soft_landmarks = options.soft_landmarks;
-    matching.n_alternatives = options.n_alternatives;
+    const SpectralOptions matching = as_of_spectral(options);
     SpectralResult found = spectral_match::match(source, target, matching,
                                                  {.n_samples = options.n_samples, .seed = options.seed},
                                                  progress.part(0, 0.98), std::move(watch));
@@ -51,7 +60,9 @@ PartialResult match_fused(MeshView source, MeshView target, const PartialOptions
     result.confidence = std::move(found.confidence);
     result.score = found.score;
     result.margin = found.margin;
-    result.warnings = std::move(found.warnings);
+    result.messages = std::move(found.messages);
+    add_touching(Subject::source, result.source_touching, result.messages);
+    add_touching(Subject::target, result.target_touching, result.messages);
     result.stages = std::move(found.stages);
     return result;
 }

@@ -5,6 +5,8 @@
 // full shape). docs/partial.md says what each step is worth.
 #pragma once
 
+#include "match/spectral/tuning.hpp"
+
 #include <counterpart/base/types.hpp>
 
 #include <array>
@@ -104,7 +106,7 @@ struct ScaleTuning {
     double min_distance = 0.05, max_distance = 0.5;  ///< of the pairs that refine it
 };
 
-/// Confidence and warnings. None of these changes the map.
+/// Confidence and messages. None of these changes the map.
 struct ConfidenceTuning {
     /// Of the logistic curve: on people and cut shapes, scores of 0.7 and more go with mean errors of 1 to 3,
     /// of 0.64 with 2 to 6, of 0.6 and less with 4 to 12. 0.5 (too sure of wrong maps between parts) tried.
@@ -118,6 +120,8 @@ struct ConfidenceTuning {
     /// 4 wrong maps of parts that do 0.22 to 0.49, 10 of 13 right ones below 0.2.
     double half_misfit = 0.25, misfit_width = 0.04, much_misfit = 0.2;
     double poor_score = 0.5, close_margin = 0.03;
+    double least_moved =
+        0.05;  ///< share of the part that a runner-up takes elsewhere; below, it is the same map
     /// Mean confidence. Of parts matched to shapes of other classes it is 0.26 and less, of half an egg at
     /// some scale on a body up to 0.35; of the 130 right and 22 wrong maps of the parts sets 6 and 1 lie
     /// between 0.3 and 0.4.
@@ -168,6 +172,7 @@ struct PartialTuning {
     TearTuning tear;
     ChoiceTuning choice;
     ConfidenceTuning confidence;
+    spectral_match::PriorTuning requests;
     double judge_radius = 0.10;  ///< of SHOT at the images
 };
 

@@ -10,7 +10,6 @@
 #include "match/spectral/moves.hpp"
 #include "match/spectral/polish.hpp"
 #include "match/spectral/race.hpp"
-#include "match/spectral/warnings.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -54,7 +53,7 @@ class Reading {
         result.score = found.best.rank();
         result.margin = found.runners_up.empty() ? std::numeric_limits<double>::infinity()
                                                  : found.runners_up.front().behind;
-        result.warnings = warnings(whole_, found);
+        result.messages = messages_on(whole_, found);
         result.confidence = lift(whole_.a.shape, confidence(whole_, found));
         watch.lap("confidence");
         PairedMaps full = lifted(found.best, progress);
@@ -138,10 +137,12 @@ SpectralResult match(const PreparedShape& source, const PreparedShape& target, c
     Reading& taken = is_mirrored || !as_it_is ? *in_the_mirror : *as_it_is;
     SpectralResult result = taken.finish(options, progress.part(0.6, 1), watch);
     if (is_mirrored)
-        result.warnings.push_back(fmt::format(
-            "one mesh is the mirror image of the other (score {:.2f}, without mirroring {:.2f}): the map "
-            "reverses orientation (left to left)",
-            mirrored_score, score));
+        result.messages.push_back(
+            {MessageCode::mirror_image, Severity::caution,
+             fmt::format(
+                 "one mesh is the mirror image of the other (score {:.2f}, without mirroring {:.2f}): "
+                 "the map reverses orientation (left to left)",
+                 mirrored_score, score)});
     result.stages = watch.stages();
     result = between_inputs(std::move(result), source.origin, target.origin);
     if (!options.soft_landmarks) keep_landmarks(result, options.landmarks);

@@ -164,19 +164,24 @@ Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuni
 
 }  // namespace
 
-PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning,
-                      const ProgressRange& progress) {
+Preprocessed cleaned(MeshView mesh, const PreparationTuning& tuning) {
     require_valid(mesh);
     const double area = surface_area(mesh);
     if (!(area > 0)) throw UnsuitableMesh("the mesh has no area: all its triangles are degenerate");
     if (!std::isfinite(area)) throw UnsuitableMesh("the mesh is too large to measure: scale it down first");
-    PreparedShape shape;
-    shape.origin = preprocess(mesh, tuning);
-    if (shape.origin.mesh.n_vertices() < min_vertices)
+    Preprocessed result = preprocess(mesh, tuning);
+    if (result.mesh.n_vertices() < min_vertices)
         throw UnsuitableMesh(
             fmt::format("spectral matching needs meshes of at least {} vertices, not {}: too few to carry "
                         "eigenfunctions; subdivide the mesh first",
-                        min_vertices, shape.origin.mesh.n_vertices()));
+                        min_vertices, result.mesh.n_vertices()));
+    return result;
+}
+
+PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning,
+                      const ProgressRange& progress) {
+    PreparedShape shape;
+    shape.origin = cleaned(mesh, tuning);
     progress.reach(0.05);
     shape.mesh = normalized(shape.origin.mesh);
     shape.origin.mesh = {};

@@ -71,8 +71,11 @@ constexpr Index min_vertices = 20;
 /// unit area.
 constexpr float unreachable = 10;
 
-/// Throws InvalidInput for a mesh that require_valid refuses, without area, or of fewer than `min_vertices`
-/// distinct vertices.
+/// What is matched of a mesh. Throws InvalidInput for one that require_valid refuses; UnsuitableMesh without
+/// area, or for fewer than `min_vertices` distinct vertices.
+Preprocessed cleaned(MeshView mesh, const PreparationTuning& tuning = {});
+
+/// Throws as `cleaned`.
 PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning = {},
                       const ProgressRange& progress = {});
 

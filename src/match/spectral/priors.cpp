@@ -40,17 +40,6 @@ VertexPairs matched(VertexPairs pairs, const PreparedShape& a, const PreparedSha
     return pairs;
 }
 
-Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
-    if (options.aligned) return Eigen::Matrix3d::Identity();
-    Eigen::Matrix3Xd directions(3, 0);
-    for (const Eigen::Vector3d& direction : {options.up, options.facing}) {
-        if (direction.isZero(0)) continue;
-        directions.conservativeResize(3, directions.cols() + 1);
-        directions.rightCols(1) = direction.normalized();
-    }
-    return directions;
-}
-
 // How far from the one end of the pair the map takes what is within the radius of the other end, by the
 // median of samples, or the nearest one where there are none.
 double image_distance(const PreparedShape& from, const VectorF& near_end, const PreparedShape& to,
@@ -95,6 +84,17 @@ double missing_agreement(const PreparedShape& from, const Eigen::Matrix3Xd& dire
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd common_directions(const SpectralOptions& options) {
+    if (options.aligned) return Eigen::Matrix3d::Identity();
+    Eigen::Matrix3Xd directions(3, 0);
+    for (const Eigen::Vector3d& direction : {options.up, options.facing}) {
+        if (direction.isZero(0)) continue;
+        directions.conservativeResize(3, directions.cols() + 1);
+        directions.rightCols(1) = direction.normalized();
+    }
+    return directions;
+}
 
 VertexPairs Priors::pins() const {
     VertexPairs result;

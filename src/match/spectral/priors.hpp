@@ -45,6 +45,9 @@ Priors make_priors(const PreparedShape& a, const PreparedShape& b, const VertexP
 Priors make_priors(const PreparedShape& a, const PreparedShape& b, const SpectralOptions& options,
                    const PriorTuning& tuning);
 
+/// Directions that are the same in both frames (aligned, up, facing), a unit column each.
+Eigen::Matrix3Xd common_directions(const SpectralOptions& options);
+
 /// The same for A and `mirrored` B.
 Priors with_mirrored_b(Priors priors);
 

@@ -281,7 +281,7 @@ struct PolishTuning {
     int n_lift_iterations = 8;
 };
 
-/// Stage 6, confidence and warnings. None of these changes the map, save `min_mirror_gain`.
+/// Stage 6, confidence and messages. None of these changes the map, save `min_mirror_gain`.
 struct ConfidenceTuning {
     double half_score = 0.9;        ///< at which a map is trusted by half
     double score_width = 0.12;      ///< of the logistic curve around it
@@ -289,8 +289,8 @@ struct ConfidenceTuning {
     double same_place = 0.15;       ///< images closer than this agree
     double doubt_length = 0.12;     ///< of a round trip plus tear, at which confidence falls to 1 / e
     double island_trust = 0.2;      ///< what is left of it in patches that refinement has not put back
-    double poor_score = 0.6;        ///< below it a warning
-    double close_margin = 0.03;     ///< between the two best scores, below it a warning
+    double poor_score = 0.6;        ///< below it the map is not to be used
+    double close_margin = 0.03;     ///< between the two best scores, below it a caution
     double min_mirror_gain = 0.03;  ///< the mirror image of an inside-out mesh must score better by this
     double moved = 0.2;             ///< a sample whose images are farther apart than this has moved
     double part_share = 0.02,

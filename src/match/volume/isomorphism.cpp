@@ -314,18 +314,24 @@ void pair_isolated(const SolidMap& a, const SolidMap& b, bool reversed, std::vec
 }
 
 void describe(const SolidMap& a, const Matcher& matcher, VolumeResult& result) {
-    if (result.mirrored) result.notices.emplace_back("the target is a mirror image of the source");
+    const auto add = [&](MessageCode code, std::string sentence, std::vector<Index> vertices = {}) {
+        result.messages.push_back(
+            {code, Severity::notice, std::move(sentence), {Subject::map, std::move(vertices)}});
+    };
+    if (result.mirrored) add(MessageCode::mirror_image, "the target is a mirror image of the source");
     if (!result.automorphisms.number || *result.automorphisms.number > 1)
-        result.notices.push_back(fmt::format(
-            "the connectivity is symmetric: {} matches are possible, the choice was made by geometry",
-            to_string(result.automorphisms)));
+        add(MessageCode::symmetric_connectivity,
+            fmt::format("the connectivity is symmetric: {} matches are possible, the choice was made by "
+                        "geometry",
+                        to_string(result.automorphisms)));
     if (matcher.n_placed() > 0)
-        result.notices.push_back(
+        add(MessageCode::interchangeable_components,
             fmt::format("{} components are interchangeable; they were paired by shape and place",
                         matcher.n_placed() + 1));
     if (!a.isolated.empty())
-        result.notices.push_back(
-            fmt::format("{} vertices without tetrahedra were paired by position", a.isolated.size()));
+        add(MessageCode::isolated_vertices,
+            fmt::format("{} vertices without tetrahedra were paired by position", a.isolated.size()),
+            a.isolated);
 }
 
 // Colors of few rounds tell nearly all meshes apart; more are worth their time only where walks fail.

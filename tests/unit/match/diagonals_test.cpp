@@ -28,9 +28,7 @@ void expect_found(const TriangleMesh& source, const ShuffleResult& target, const
         for (int c = 0; c < 3; ++c)
             ASSERT_EQ(target.mesh.triangles.data()[result.target_corner_from_source(t, c)],
                       result.target_from_source[source.triangles(t, c)]);
-    EXPECT_TRUE(std::any_of(result.notices.begin(), result.notices.end(), [](const std::string& notice) {
-        return notice.find("quads are cut along the other diagonal") != std::string::npos;
-    }));
+    EXPECT_TRUE(contains(result.messages, MessageCode::recut_polygons));
 }
 
 // The quads of which the two cuts take different diagonals.

@@ -194,7 +194,7 @@ TEST(MatchExact, SaysTheSameOfManyClassesInOneNotice) {
     const ExactResult result = match_exact(mesh, target.mesh);
     EXPECT_EQ(result.target_from_source, target.mesh_from_original);
     EXPECT_EQ(result.interchangeable.size(), 9U);
-    EXPECT_LE(result.notices.size(), 3U);
+    EXPECT_LE(result.messages.size(), 3U);
 }
 
 TEST(MatchExact, TellsAPeriodicPatternWithOneDefect) {

@@ -3,12 +3,14 @@
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
+#include "support/messages.hpp"
 #include "support/quick_match.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/assignment.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/nearest.hpp>
+#include <counterpart/match/verdict.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
@@ -24,6 +26,7 @@ namespace {
 
 using test::count_unmatched;
 using test::expect_part;
+using test::lines_of;
 using test::quick;
 
 TEST(Match, MeshesOfVeryDifferentSizeAreNotComparedInDetail) {
@@ -47,8 +50,8 @@ TEST(Match, UnrelatedMeshesAreSpectral) {
     ASSERT_TRUE(result.spectral.has_value());
     EXPECT_EQ(result.target_from_source, result.spectral->target_from_source);
     EXPECT_EQ(result.confidence, result.spectral->confidence);
-    EXPECT_EQ(result.warnings, result.spectral->warnings);
-    EXPECT_FALSE(result.warnings.empty());
+    EXPECT_NE(lines_of(result.messages).find(lines_of(result.spectral->messages)), std::string::npos);
+    EXPECT_EQ(verdict(result).advice, Advice::do_not_use) << lines_of(result.messages);
 }
 
 // Too few vertices for spectral.
@@ -60,8 +63,8 @@ TEST(Match, TinyMeshesAreMatchedByPlace) {
     EXPECT_EQ(result.method, MatchMethod::nearest);
     expect_part(result.reason, "the connectivity differs: ");
     expect_part(result.reason, "at least 20 vertices");
-    ASSERT_FALSE(result.warnings.empty());
-    expect_part(result.warnings[0], "position alone");
+    EXPECT_TRUE(contains(result.messages, MessageCode::by_position));
+    EXPECT_EQ(verdict(result).advice, Advice::check);
     EXPECT_EQ(result.confidence, Vector::Zero(12));
     EXPECT_FALSE(result.spectral.has_value());
     // The ellipsoid fits in four ways; each takes vertices to vertices and keeps their distances.
@@ -86,7 +89,7 @@ TEST(Match, MeshesWithoutAreaAreMatchedByPlace) {
     const MatchResult result = match(line, target);
     EXPECT_EQ(result.method, MatchMethod::nearest);
     expect_part(result.reason, "no area");
-    EXPECT_FALSE(result.warnings.empty());
+    EXPECT_EQ(verdict(result).advice, Advice::check);
     EXPECT_EQ(count_unmatched(result.target_from_source), 0);
 }
 
@@ -139,8 +142,9 @@ TEST(Match, EachMethodByName) {
         EXPECT_EQ(result.exact.has_value(), method == MatchMethod::exact);
         EXPECT_EQ(result.frontiers.has_value(), method == MatchMethod::frontiers);
         EXPECT_EQ(result.spectral.has_value(), method == MatchMethod::spectral);
-        ASSERT_EQ(result.stages.size(), 1U);
+        ASSERT_EQ(result.stages.size(), 2U);
         EXPECT_EQ(result.stages[0].stage, to_string(method));
+        EXPECT_EQ(result.stages[1].stage, "verdict");
         ASSERT_EQ(result.confidence.size(), source.n_vertices());
         if (method == MatchMethod::spectral) {
             EXPECT_EQ(result.target_from_source,

@@ -3,6 +3,7 @@
 #include "match/partial/tears.hpp"
 #include "support/cuts.hpp"
 #include "support/disguise.hpp"
+#include "support/messages.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/match.hpp>
@@ -115,9 +116,7 @@ TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
     const PartialResult result = match_partial(legs.mesh, top.mesh, known);
     EXPECT_EQ(result.part, Part::both);
     EXPECT_LT(result.confidence.mean(), 0.2);
-    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& said) {
-        return said.find("may not overlap") != std::string::npos;
-    }));
+    EXPECT_TRUE(contains(result.messages, MessageCode::misfit)) << test::lines_of(result.messages);
 }
 
 TEST_F(MatchPartial, HolesAreMatchedAround) {
@@ -148,13 +147,13 @@ TEST_F(MatchPartial, UnlikeShapesAndWrongScalesAreDoubted) {
     const PartialResult unlike =
         match_partial(part.mesh, make_torus(40, 60), {.part = Part::source, .n_samples = 300});
     EXPECT_LT(unlike.confidence.mean(), 0.4);
-    EXPECT_FALSE(unlike.warnings.empty());
+    EXPECT_NE(gravest(unlike.messages), Severity::notice);
     for (const double factor : {0.1, 10.0}) {
         TriangleMesh wrong = part.mesh;
         wrong.vertices *= factor;
         const PartialResult result = match_partial(wrong, other, known);
         EXPECT_LT(result.confidence.mean(), 0.4) << factor;
-        EXPECT_FALSE(result.warnings.empty());
+        EXPECT_NE(gravest(result.messages), Severity::notice);
     }
 }
 
@@ -165,9 +164,7 @@ TEST_F(MatchPartial, WhatFitsALittleIsUnsure) {
     const test::PartOfMesh half = test::cut_by_plane(egg, {1, 0, 0}, 0.1);
     const PartialResult result = match_partial(half.mesh, whole, {.part = Part::source, .n_samples = 300});
     EXPECT_LT(result.confidence.mean(), 0.4);
-    EXPECT_TRUE(std::any_of(result.warnings.begin(), result.warnings.end(), [](const std::string& sentence) {
-        return sentence.find("do not rely on this map") != std::string::npos;
-    }));
+    EXPECT_NE(gravest(result.messages), Severity::notice) << test::lines_of(result.messages);
 }
 
 // Bent until its foot is in its head's way, and grown together there.

@@ -4,6 +4,7 @@
 #include "match/spectral/stored_shape.hpp"
 #include "support/disguise.hpp"
 #include "support/expect_error.hpp"
+#include "support/messages.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
@@ -36,7 +37,7 @@ TEST(SpectralStoredShape, MatchesAsTheShapeThatWasKept) {
     EXPECT_EQ(found.target_from_source, expected.target_from_source);
     EXPECT_EQ(found.source_from_target, expected.source_from_target);
     EXPECT_EQ(found.confidence, expected.confidence);
-    EXPECT_EQ(found.warnings, expected.warnings);
+    EXPECT_EQ(test::lines_of(found.messages), test::lines_of(expected.messages));
 }
 
 TEST(SpectralStoredShape, TheSameBytesAgain) {

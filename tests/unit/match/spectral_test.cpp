@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/messages.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/spectral.hpp>
@@ -16,6 +17,7 @@
 namespace counterpart {
 namespace {
 
+using test::lines_of;
 using test::mirrored;
 using test::moved;
 using test::shuffled;
@@ -43,12 +45,6 @@ double mean_error(const VertexMap& map, const VertexMap& truth, const TriangleMe
     for (Index v = 0; v < map.source_size(); ++v)
         sum += (target.vertices.row(map[v]) - target.vertices.row(truth[v])).norm();
     return 100 * sum / map.source_size() / std::sqrt(surface_area(target));
-}
-
-std::string all_of(const std::vector<std::string>& sentences) {
-    std::string text;
-    for (const std::string& sentence : sentences) text += sentence + "\n";
-    return text;
 }
 
 // Too unlike for a search to end early.
@@ -171,7 +167,7 @@ TEST(MatchSpectral, InsideOutIsSaidAndMatchedWithMonotoneProgress) {
         return true;
     };
     const SpectralResult result = match_spectral(source, target, options, small);
-    EXPECT_NE(all_of(result.warnings).find("inside out"), std::string::npos);
+    EXPECT_TRUE(contains(result.messages, MessageCode::inside_out)) << lines_of(result.messages);
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
     ASSERT_GT(fractions.size(), 3U);
     EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
@@ -185,7 +181,7 @@ TEST(MatchSpectral, AReflectedMeshIsSaidAndMatched) {
     TriangleMesh target = source;
     target.vertices.col(0) *= -1;  // the winding as it was: inside out now
     const SpectralResult result = match_spectral(source, target, {}, small);
-    EXPECT_NE(all_of(result.warnings).find("mirror image"), std::string::npos);
+    EXPECT_TRUE(contains(result.messages, MessageCode::mirror_image)) << lines_of(result.messages);
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 2.0);
 }
 
@@ -208,7 +204,7 @@ TEST(MatchSpectral, AlternativesDifferFromTheBestMapAndFromEachOther) {
     EXPECT_EQ(result.target_from_source, identity_map(source.n_vertices()));
     EXPECT_FALSE(result.alternatives.empty());
     EXPECT_GT(result.margin, 0.03);
-    EXPECT_EQ(all_of(result.warnings), "");
+    EXPECT_EQ(lines_of(result.messages), "");
     std::vector<VertexMap> maps{result.target_from_source};
     for (const SpectralAlternative& other : result.alternatives) {
         for (const VertexMap& map : maps)
@@ -221,8 +217,8 @@ TEST(MatchSpectral, SpheresAreSaidToBeSymmetricAndACloseRunnerUpEvenIfNoneIsAske
     const TriangleMesh ball = make_icosphere(3);  // any turn is as good
     const SpectralResult result = match_spectral(ball, move_at_random(ball, 3), {.n_alternatives = 0}, small);
     EXPECT_TRUE(result.alternatives.empty());
-    EXPECT_NE(all_of(result.warnings).find("nearly as good"), std::string::npos) << all_of(result.warnings);
-    EXPECT_NE(all_of(result.warnings).find("sphere-like"), std::string::npos) << all_of(result.warnings);
+    EXPECT_TRUE(contains(result.messages, MessageCode::close_runner_up)) << lines_of(result.messages);
+    EXPECT_TRUE(contains(result.messages, MessageCode::sphere_like)) << lines_of(result.messages);
 }
 
 TEST(MatchSpectral, CoordinatesTooLargeForAreasAreRefused) {
@@ -264,27 +260,54 @@ TEST(MatchSpectral, WhatIsUpIsUpInMirrorImagesToo) {
     options.symmetric = false;
     target.triangles.col(1).swap(target.triangles.col(2));  // inside out: both readings are searched
     const SpectralResult found = match_spectral(source, target, options, small);
-    EXPECT_NE(all_of(found.warnings).find("mirror image"), std::string::npos);
+    EXPECT_TRUE(contains(found.messages, MessageCode::mirror_image)) << lines_of(found.messages);
     EXPECT_LT(mean_error(found.target_from_source, identity_map(source.n_vertices()), target), 2.0);
 }
 
 TEST(MatchSpectral, PlanesAreSaidToBeFlat) {
     const SpectralResult result = match_spectral(make_grid(20, 10), make_grid(20, 10), {}, small);
-    EXPECT_NE(all_of(result.warnings).find("flat"), std::string::npos);
+    EXPECT_TRUE(contains(result.messages, MessageCode::flat)) << lines_of(result.messages);
 }
 
 TEST(MatchSpectral, OneOpenMeshIsWarnedOf) {
     const TriangleMesh closed = bumpy_sphere(3);
     TriangleMesh open = closed;
     open.triangles.conservativeResize(open.n_triangles() - 12, Eigen::NoChange);
-    const auto warned = [](const TriangleMesh& source, const TriangleMesh& target, const char* sentence) {
-        const SpectralResult result = match_spectral(source, target, {}, small);
-        return all_of(result.warnings).find(sentence) != std::string::npos;
+    const auto warned = [](const TriangleMesh& source, const TriangleMesh& target) {
+        return contains(match_spectral(source, target, {}, small).messages, MessageCode::openness_differs);
     };
-    EXPECT_TRUE(warned(open, closed, "the source is open and the target closed"));
-    EXPECT_TRUE(warned(closed, open, "the target is open and the source closed"));
-    EXPECT_FALSE(warned(closed, closed, "is open and the"));
-    EXPECT_FALSE(warned(open, open, "is open and the"));
+    EXPECT_TRUE(warned(open, closed));
+    EXPECT_TRUE(warned(closed, open));
+    EXPECT_FALSE(warned(closed, closed));
+    EXPECT_FALSE(warned(open, open));
+}
+
+// A vertex that lies at the place of another makes an edge of four triangles, where the surface is cut: a
+// boundary that opens nothing.
+TEST(MatchSpectral, AVertexAtThePlaceOfAnotherIsNoOpening) {
+    const TriangleMesh source = bumpy_sphere(3);
+    TriangleMesh target = source;
+    const Index v = target.triangles(40, 0);
+    std::vector<char> near(static_cast<std::size_t>(target.n_vertices()), 0);
+    const auto spread = [&] {
+        std::vector<char> wider = near;
+        for (Index t = 0; t < target.n_triangles(); ++t)
+            for (int c = 0; c < 3; ++c)
+                if (near[static_cast<std::size_t>(target.triangles(t, c))])
+                    for (int d = 0; d < 3; ++d) wider[static_cast<std::size_t>(target.triangles(t, d))] = 1;
+        near = wider;
+    };
+    near[static_cast<std::size_t>(v)] = 1;
+    spread();
+    const std::vector<char> first = near;
+    spread();
+    Index w = 0;  // two edges away
+    while (!near[static_cast<std::size_t>(w)] || first[static_cast<std::size_t>(w)]) ++w;
+    target.vertices.row(w) = target.vertices.row(v);
+    const SpectralResult result = match_spectral(source, target, {}, small);
+    EXPECT_TRUE(contains(result.messages, MessageCode::merged_vertices)) << lines_of(result.messages);
+    EXPECT_TRUE(contains(result.messages, MessageCode::open_surface)) << lines_of(result.messages);
+    EXPECT_EQ(gravest(result.messages), Severity::notice) << lines_of(result.messages);
 }
 
 TEST(MatchSpectral, DustIsMatchedWithAWarning) {
@@ -296,7 +319,7 @@ TEST(MatchSpectral, DustIsMatchedWithAWarning) {
         }
     }
     const SpectralResult result = match_spectral(dust, dust, {}, small);
-    EXPECT_NE(all_of(result.warnings).find("30 components"), std::string::npos);
+    EXPECT_TRUE(contains(result.messages, MessageCode::several_components)) << lines_of(result.messages);
     EXPECT_EQ(count_matched(result.target_from_source), 90);
 }
 
@@ -317,7 +340,7 @@ TEST(MatchSpectral, UnlikeShapesOfVeryDifferentSizeGetLittleConfidenceAndASenten
         const SpectralResult result = match_spectral(source, target, {}, small);
         EXPECT_EQ(count_matched(result.target_from_source), source.n_vertices());
         EXPECT_EQ(result.source_from_target.source_size(), target.n_vertices());
-        EXPECT_NE(all_of(result.warnings).find("may not be comparable"), std::string::npos);
+        EXPECT_TRUE(contains(result.messages, MessageCode::poor_score)) << lines_of(result.messages);
         EXPECT_LT(result.confidence.maxCoeff(), 0.2);
     }
 }

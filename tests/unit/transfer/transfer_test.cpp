@@ -132,10 +132,12 @@ TEST(TransferAttributes, WarnsWhereTheTargetIsInAnotherPose) {
     EXPECT_GT(mean, 0.0075);
     EXPECT_LT(mean, 0.04);
     const TransferResult result = transfer_through_inverse(source, bent, map);
-    ASSERT_EQ(result.warnings.size(), 1);
-    EXPECT_NE(result.warnings[0].find("15 % or more for a twentieth of its vertices"), std::string::npos)
-        << result.warnings[0];
-    EXPECT_TRUE(transfer_through_inverse(source, raised(0.05), map).warnings.empty());
+    ASSERT_EQ(result.messages.size(), 1);
+    EXPECT_EQ(result.messages[0].code, MessageCode::skeleton_stays);
+    EXPECT_NE(result.messages[0].sentence.find("15 % or more for a twentieth of its vertices"),
+              std::string::npos)
+        << result.messages[0].sentence;
+    EXPECT_TRUE(transfer_through_inverse(source, raised(0.05), map).messages.empty());
 }
 
 TEST(TransferAttributes, ErrorsNameTheAttribute) {

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "match/spectral/preprocess.hpp"
+
+#include <string>
+
+namespace counterpart::partial_match {
+
+/// What is matched of a mesh. Throws UnsuitableMesh, which calls it by `name`, without area or for fewer than
+/// 50 distinct vertices.
+spectral_match::Preprocessed cleaned(MeshView mesh, const std::string& name);
+
+/// Throws UnsuitableMesh for more vertices than distances to them fit into memory.
+void require_room_for_distances(const spectral_match::Preprocessed& source,
+                                const spectral_match::Preprocessed& target);
+
+}  // namespace counterpart::partial_match

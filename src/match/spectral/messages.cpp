@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/spectral/messages.hpp"
+
+#include "match/partial/roles.hpp"
+#include "match/spectral/confidence.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace counterpart::spectral_match {
+namespace {
+
+using Messages = std::vector<Message>;
+
+std::string counted(Index n, const std::string& noun, const std::string& plural) {
+    return fmt::format("{} {}", n, n == 1 ? noun : plural);
+}
+
+void add_on_shape(const PreparedShape& shape, Subject subject, double sphere_ratio, Messages& messages) {
+    if (shape.flat)
+        messages.push_back({MessageCode::flat,
+                            Severity::notice,
+                            "flat; its two sides cannot be told apart, and mirrored maps are as good",
+                            {subject}});
+    if (shape.basis.size() <= 3) return;
+    const double first = shape.basis.eigenvalues[1], third = shape.basis.eigenvalues[3];
+    if (third < sphere_ratio * first)
+        messages.push_back({MessageCode::sphere_like,
+                            Severity::caution,
+                            "nearly symmetric about every axis (sphere-like: its lowest eigenvalues repeat); "
+                            "many maps are equally good, give landmarks to choose one",
+                            {subject}});
+}
+
+const TriangleMesh& matched_mesh(const PreparedShape& shape) {
+    return shape.full ? shape.full->mesh : shape.mesh;
+}
+
+// A boundary of no length, where vertices of the one lie at the place of others, is no opening.
+void add_on_openness(const Level& whole, Messages& messages) {
+    const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
+    if ((source.n_boundary_loops > 0) == (target.n_boundary_loops > 0)) return;
+    const bool source_is_open = source.n_boundary_loops > 0;
+    if (!partial_match::has_opening(matched_mesh(source_is_open ? whole.a.shape : whole.b.shape))) return;
+    messages.push_back(
+        {MessageCode::openness_differs, Severity::caution,
+         fmt::format("the {} is open and the {} closed: what is missing in one is matched all "
+                     "the same",
+                     source_is_open ? "source" : "target", source_is_open ? "target" : "source")});
+}
+
+void add_on_score(const Level& whole, const Polished& found, Messages& messages) {
+    const ConfidenceTuning& tuning = whole.tuning.confidence;
+    const double score = found.best.rank();
+    if (score < tuning.poor_score)
+        messages.push_back(
+            {MessageCode::poor_score, Severity::do_not_use,
+             fmt::format(
+                 "no map preserves relief and normals well (score {:.2f}): they may not be comparable "
+                 "shapes, do not rely on this map",
+                 score)});
+    if (found.runners_up.empty()) return;
+    const RunnerUp& next = found.runners_up.front();
+    if (next.behind < tuning.close_margin)
+        messages.push_back({MessageCode::close_runner_up, Severity::caution,
+                            fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): "
+                                        "inspect both, or give landmarks",
+                                        score - next.behind, score, describe(whole, found.best, next.map))});
+}
+
+}  // namespace
+
+Messages messages_on(const Preprocessed& mesh, Subject subject, Index fragments_from) {
+    Messages messages;
+    const auto add = [&](bool holds, MessageCode code, const std::string& sentence,
+                         Severity severity = Severity::notice, std::vector<Index> vertices = {}) {
+        if (holds) messages.push_back({code, severity, sentence, {subject, std::move(vertices)}});
+    };
+    add(mesh.n_merged > 0, MessageCode::merged_vertices,
+        fmt::format("merged {}", counted(mesh.n_merged, "duplicate vertex", "duplicate vertices")));
+    add(mesh.n_unreferenced > 0, MessageCode::isolated_vertices,
+        fmt::format("{} in no triangle; each is matched like the nearest vertex",
+                    counted(mesh.n_unreferenced, "vertex", "vertices")));
+    add(mesh.n_duplicate_triangles > 0, MessageCode::duplicate_triangles,
+        fmt::format("left out {}",
+                    counted(mesh.n_duplicate_triangles, "duplicate triangle", "duplicate triangles")));
+    add(mesh.n_disagreeing > 0, MessageCode::flipped_triangles,
+        fmt::format("flipped {}", counted(mesh.n_disagreeing, "inconsistently oriented triangle",
+                                          "inconsistently oriented triangles")));
+    add(mesh.n_one_sided > 0, MessageCode::one_sided,
+        "part of the surface is one-sided, like a Moebius band; left and right are undefined there");
+    add(mesh.was_inside_out, MessageCode::inside_out, "inside out; its triangles were flipped for matching");
+    add(mesh.n_nonmanifold_edges > 0, MessageCode::non_manifold,
+        fmt::format("{} with more than two triangles; the surface is treated as cut there",
+                    counted(mesh.n_nonmanifold_edges, "edge", "edges")));
+    add(mesh.n_boundary_loops > 0 && mesh.n_components < fragments_from, MessageCode::open_surface,
+        fmt::format("open surface with {}; the match is less reliable near the boundary",
+                    counted(mesh.n_boundary_loops, "boundary loop", "boundary loops")));
+    add(mesh.n_components > 1 && mesh.n_components < fragments_from, MessageCode::several_components,
+        fmt::format("{} components; the smaller ones are linked to the largest and matched only roughly",
+                    mesh.n_components));
+    add(mesh.n_components >= fragments_from, MessageCode::fragments,
+        fmt::format("mostly disconnected fragments ({} components); the map is of little use unless they are "
+                    "joined first",
+                    mesh.n_components),
+        Severity::do_not_use);
+    add(mesh.n_small_components > 0, MessageCode::small_components,
+        fmt::format("left out {} ({:.2g} % of the area); each vertex is matched like the nearest one",
+                    counted(mesh.n_small_components, "small component", "small components"),
+                    100 * mesh.small_share),
+        Severity::notice, mesh.left_out);
+    return messages;
+}
+
+Messages messages_on(const Level& whole, const Polished& found) {
+    const ConfidenceTuning& tuning = whole.tuning.confidence;
+    const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
+    Messages messages = messages_on(source, Subject::source, tuning.many_components);
+    const Messages of_target = messages_on(target, Subject::target, tuning.many_components);
+    messages.insert(messages.end(), of_target.begin(), of_target.end());
+    add_on_shape(whole.a.shape, Subject::source, tuning.sphere_ratio, messages);
+    add_on_shape(whole.b.shape, Subject::target, tuning.sphere_ratio, messages);
+    if (source.n_components != target.n_components)
+        messages.push_back(
+            {MessageCode::components_differ, Severity::caution,
+             fmt::format("the source has {} and the target {}: some parts may have no counterpart",
+                         counted(source.n_components, "component", "components"), target.n_components)});
+    add_on_openness(whole, messages);
+    add_on_score(whole, found, messages);
+    return messages;
+}
+
+}  // namespace counterpart::spectral_match
