@@ -85,11 +85,11 @@ for kind in mirror mirror_inside_out inside_out; do
   grep -q "\"mirrored\": $mirrored" $kind.json || fail "$kind: the report does not say mirrored: $mirrored"
   if [ $mirrored = true ]; then
     grep -q "the target is a mirror image of the source" said || { cat said; fail "$kind: match says no mirror image"; }
-    grep -q "the second is a mirror image of the first" out || { cat out; fail "$kind: inspect says no mirror image"; }
+    grep -q "the target is a mirror image of the source" out || { cat out; fail "$kind: inspect says no mirror image"; }
   else
     ! grep -q "mirror image" said out || { cat said out; fail "$kind is no mirror image"; }
   fi
-  [ $kind = mirror ] || grep -q "the second is inside out: its triangles are turned, or it is mirrored" out || fail "$kind: inspect does not say inside out"
+  [ $kind = mirror ] || grep -q "$kind.off: inside out: its triangles are turned, or it is mirrored" out || fail "$kind: inspect does not say inside out"
 done
 seq 0 $(($(wc -l < mirror.txt) - 1)) | cmp -s - mirror.txt || fail "the map to the mirror image is not the true one"
 

@@ -84,12 +84,24 @@ run match a.obj b.obj -o map.txt
 refuse 1 "--symmetric is an option of --method spectral; --method nearest does not use it" \
   match a.obj b.obj -o x.txt --method nearest --symmetric
 refuse 1 "--landmarks is an option of --method spectral" match a.obj b.obj -o x.txt --method nearest --landmarks f
-refuse 1 "which auto chose here" match a.obj b.obj -o x.txt --basis-size 60
 refuse 1 "--paper is an option of --method frontiers" match a.obj b.obj -o x.txt --paper
 refuse 1 "--confidence: --method nearest has none" match a.obj b.obj -o x.txt --method nearest --confidence c.npy
 refuse 1 "--symmetric-alternatives is an option of --method exact" match a.obj c.obj -o x.txt --symmetric-alternatives p
 refuse 1 "need --distance hops" match a.obj b.obj -o x.txt --method frontiers --distance geodesic --paper
 [ ! -e x.txt ] || fail "a refused command wrote its map"
+
+# What auto does not come to use is a notice: the recipe for folders, on its easiest pair.
+run match a.obj b.obj -o x.txt --cache shapes --basis-size 60 --alternatives-output others.txt --report r.json
+head -1 err | grep -qx use || { cat err; fail "a pair of one connectivity is not matched with --cache"; }
+says "^cache is not used by 'exact'"
+says "^basis_size is not used by 'exact'"
+says "^--alternatives-output: 'exact' has no runner-ups to write"
+grep -q '"code": "option_not_used"' r.json || fail "the report has no codes"
+cmp -s x.txt map.txt || fail "--cache changed the map"
+# What is known of the map is followed: where it speaks against connectivity, another method is taken.
+run match a.obj b.obj -o x.txt --not "5:$(sed -n 6p map.txt)" --samples 200 --basis-size 40
+says "auto: spectral, because the meshes have the same connectivity; but by its map source vertex 5 goes to"
+rm -f x.txt
 run match a.obj b.obj -o x.txt --confidence c.npy --inverse i.txt
 [ -s c.npy ] && [ "$(wc -l < i.txt)" -eq "$(grep -c '^v ' b.obj)" ] || fail "--confidence or --inverse was not written"
 for place in "--weld a.obj b.obj" "a.obj --weld b.obj" "a.obj b.obj --weld" "a.obj b.obj --weld 0.001"; do
@@ -125,17 +137,22 @@ for command in "evaluate a.obj b.obj map.txt" "inspect a.obj" "match a.obj b.obj
   [ ! -s out ] && [ ! -s err ] || { cat out err; fail "$command -q is not quiet"; }
 done
 sed 's/^f \([0-9]*\) \([0-9]*\) /f \2 \1 /' c.obj > inside_out.obj
+run match a.obj inside_out.obj -o x.txt --method spectral --basis-size 40 --samples 200
+says "^inside_out.obj: inside out"
 run match a.obj inside_out.obj -o x.txt --method spectral --basis-size 40 --samples 200 -q
-says "warning: inside_out.obj: inside out"
+[ ! -s err ] || { cat err; fail "a notice is said with -q"; }
 
 # ---- the verdict first, and probable causes where it is not 'use' ----
 run match a.obj b.obj -o x.txt --report r.json
 head -1 err | grep -qx use || { cat err; fail "no verdict first"; }
 run deform body d.obj --subdivisions 0 -q
 awk '$1 == "f" && ++n <= 3 {next} $1 == "v" {$2 *= 1000; $3 *= 40; $4 *= 900} {print}' d.obj > unlike.obj
+run match c.obj unlike.obj -o x.txt --method spectral --basis-size 40 --samples 200 --report r.json
+head -1 err | grep -q '^do not use: ' || { cat err; fail "no verdict first"; }
+says "^probable causes, the likeliest first: unlike.obj: open (.*unlike shapes.*unlike.obj: .* times as large as the source"
 run match c.obj unlike.obj -o x.txt --method nearest --report r.json
 head -1 err | grep -q '^check: ' || { cat err; fail "no verdict first"; }
-says "^probable causes, the likeliest first: unlike.obj is open (.*unlike shapes.*times as large as c.obj"
+! grep -q "unlike shapes" err || { cat err; fail "unlike shapes, though nothing is known of them"; }
 grep -q '"verdict": "check"' r.json && grep -q '"probable_causes": \[' r.json || fail "the report has no verdict"
 
 # ---- two meshes without a map are matched ----

@@ -53,17 +53,17 @@ Vector confidence(const Level& whole, const Polished& found) {
     return result;
 }
 
-std::string describe(const Level& whole, const Map& best, const Map& other) {
+Departure departure(const Level& whole, const Map& best, const Map& other) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
     const int size = whole.tuning.candidates.last_size;
-    if (orientation(whole.pair, best.maps, size) * orientation(whole.pair, other.maps, size) < 0)
-        return "mirrored: left and right exchanged";
     const double moved = MapDistance(whole.pair).share_beyond(best.maps, other.maps, tuning.moved);
+    if (orientation(whole.pair, best.maps, size) * orientation(whole.pair, other.maps, size) < 0)
+        return {"mirrored: left and right exchanged", true};
     if (moved > tuning.turn_share)
-        return fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved);
+        return {fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved), true};
     if (moved > tuning.part_share)
-        return fmt::format("another part: {:.0f} % of the surface goes elsewhere", 100 * moved);
-    return "a small shift along the surface";
+        return {fmt::format("another part: {:.0f} % of the surface goes elsewhere", 100 * moved), false};
+    return {"a small shift along the surface", false};
 }
 
 }  // namespace counterpart::spectral_match

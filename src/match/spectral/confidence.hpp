@@ -15,7 +15,11 @@ namespace counterpart::spectral_match {
 /// these are.
 Vector confidence(const Level& whole, const Polished& found);
 
-/// How `other` differs from the best map, in words.
-std::string describe(const Level& whole, const Map& best, const Map& other);
+/// How a runner-up differs from the best map.
+struct Departure {
+    std::string words;
+    bool as_a_whole = false;  ///< mirrored or turned: one of the two maps is wrong nearly everywhere
+};
+Departure departure(const Level& whole, const Map& best, const Map& other);
 
 }  // namespace counterpart::spectral_match

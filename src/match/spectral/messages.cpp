@@ -51,7 +51,7 @@ void add_on_openness(const Level& whole, Messages& messages) {
                      source_is_open ? "source" : "target", source_is_open ? "target" : "source")});
 }
 
-void add_on_score(const Level& whole, const Polished& found, Messages& messages) {
+void add_on_score(const Level& whole, const Polished& found, double trust, Messages& messages) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
     const double score = found.best.rank();
     if (score < tuning.poor_score)
@@ -61,13 +61,24 @@ void add_on_score(const Level& whole, const Polished& found, Messages& messages)
                  "no map preserves relief and normals well (score {:.2f}): they may not be comparable "
                  "shapes, do not rely on this map",
                  score)});
+    else if (score < tuning.doubtful_score)
+        messages.push_back(
+            {MessageCode::poor_score, Severity::caution,
+             fmt::format("relief and normals are preserved less than by most right maps (score {:.2f}, those "
+                         "have {:.2g} and more)",
+                         score, tuning.doubtful_score)});
     if (found.runners_up.empty()) return;
     const RunnerUp& next = found.runners_up.front();
-    if (next.behind < tuning.close_margin)
-        messages.push_back({MessageCode::close_runner_up, Severity::caution,
-                            fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): "
-                                        "inspect both, or give landmarks",
-                                        score - next.behind, score, describe(whole, found.best, next.map))});
+    if (next.behind >= tuning.close_margin) return;
+    // Confidence tells where a runner-up goes elsewhere; of two maps that differ as a whole it cannot tell
+    // which.
+    const Departure differs = departure(whole, found.best, next.map);
+    messages.push_back(
+        {MessageCode::close_runner_up,
+         differs.as_a_whole || trust < tuning.unsure ? Severity::caution : Severity::notice,
+         fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): inspect both, or "
+                     "give landmarks",
+                     score - next.behind, score, differs.words)});
 }
 
 }  // namespace
@@ -114,7 +125,7 @@ Messages messages_on(const Preprocessed& mesh, Subject subject, Index fragments_
     return messages;
 }
 
-Messages messages_on(const Level& whole, const Polished& found) {
+Messages messages_on(const Level& whole, const Polished& found, double trust) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
     const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
     Messages messages = messages_on(source, Subject::source, tuning.many_components);
@@ -128,7 +139,7 @@ Messages messages_on(const Level& whole, const Polished& found) {
              fmt::format("the source has {} and the target {}: some parts may have no counterpart",
                          counted(source.n_components, "component", "components"), target.n_components)});
     add_on_openness(whole, messages);
-    add_on_score(whole, found, messages);
+    add_on_score(whole, found, trust, messages);
     return messages;
 }
 

@@ -53,8 +53,9 @@ class Reading {
         result.score = found.best.rank();
         result.margin = found.runners_up.empty() ? std::numeric_limits<double>::infinity()
                                                  : found.runners_up.front().behind;
-        result.messages = messages_on(whole_, found);
-        result.confidence = lift(whole_.a.shape, confidence(whole_, found));
+        const Vector trust = confidence(whole_, found);
+        result.messages = messages_on(whole_, found, trust.mean());
+        result.confidence = lift(whole_.a.shape, trust);
         watch.lap("confidence");
         PairedMaps full = lifted(found.best, progress);
         result.target_from_source = {std::move(full.b_from_a), whole_.b.shape.n_full_vertices()};
@@ -64,7 +65,7 @@ class Reading {
             result.alternatives.push_back(
                 {{lifted(other.map, progress).b_from_a, whole_.b.shape.n_full_vertices()},
                  result.score - other.behind,
-                 describe(whole_, found.best, other.map)});
+                 departure(whole_, found.best, other.map).words});
         }
         if (whole_.a.shape.full || whole_.b.shape.full) watch.lap("lift");
         return result;

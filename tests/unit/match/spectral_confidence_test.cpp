@@ -90,7 +90,7 @@ TEST(SpectralDescription, SaysHowAMapDiffers) {
     for (const Index v : right)
         if (x(v, 0) > 0.5 * top) limb[at(v)] = turned.back();
     const auto described = [&](const std::vector<Index>& map) {
-        return describe(level, scored(level, {right, right}), scored(level, {map, map}));
+        return departure(level, scored(level, {right, right}), scored(level, {map, map})).words;
     };
     EXPECT_EQ(described(mirror_image), "mirrored: left and right exchanged");
     EXPECT_EQ(described(turned).substr(0, 7), "turned:");
