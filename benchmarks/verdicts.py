@@ -77,7 +77,7 @@ def measure(program, folder, pair, method):
     files = [folder / f"{name}.off" for name in pair]
     with tempfile.TemporaryDirectory() as temporary:
         image_file, report_file = (pathlib.Path(temporary) / name for name in ("map.txt", "report.json"))
-        options = ["-t", "1", "-q", "--method", method, "-o", image_file, "--report", report_file]
+        options = ["--threads", "1", "-q", "--method", method, "-o", image_file, "--report", report_file]
         subprocess.run([program, "match", *files, *options], check=True, stderr=subprocess.DEVNULL)
         report = json.loads(report_file.read_text())
         image = np.loadtxt(image_file, int)

@@ -12,7 +12,8 @@ import re
 import sys
 
 # Members and functions that hold or give a sentence of the library.
-SENTENCE = r"(?:(?:\.|->)(?:sentence|summary|reason|difference|description|what\(\))|\breason\(|\bto_string\((?:message|verdict)\b)"
+MEMBER = r"(?:\.|->)(?:sentence|summary|reason|difference|description|what\(\))"
+SENTENCE = rf"(?:{MEMBER}|\breason\(|\bto_string\((?:message|verdict)\b)"
 SEARCH = r"(?:find\w*|rfind|starts_with|ends_with|contains|compare|substr)"
 HOLDS_ONE = re.compile(rf"\b(\w+)\s*\+?=[^;={{}}]*{SENTENCE}")
 SEARCHES_IT = re.compile(rf"{SENTENCE}\)?\.{SEARCH}\s*\(")

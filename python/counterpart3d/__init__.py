@@ -45,8 +45,8 @@ from ._match_results import (
     verdict,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
-from ._messages import Message, Verdict, Where
 from ._meshes import Mesh, MeshLike, inspect, read, vertex_areas, vertex_normals, write
+from ._messages import Message, Verdict, Where
 from ._pictures import Picture, View, render, view
 from ._shape_matching import SpectralShape, match_partial, match_spectral
 from ._shapes import (

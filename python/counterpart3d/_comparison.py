@@ -10,8 +10,8 @@ from typing import Any
 from . import _core
 from ._calls import Result
 from ._match_options import Method, match_options
-from ._messages import Message, Telling, messages_of
 from ._meshes import MeshLike, core_mesh
+from ._messages import Message, Telling, messages_of
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

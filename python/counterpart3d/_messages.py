@@ -25,7 +25,7 @@ class Where(NamedTuple):
     vertices: IntArray
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Message:
     """Something that a result tells; `str` gives its sentence, with the mesh that it is about.
 
@@ -46,6 +46,9 @@ class Message:
     severity: Severity
     sentence: str
     where: Where
+
+    def __repr__(self) -> str:
+        return f"<{self.code}, {self.severity}: {self}>"
 
     def __str__(self) -> str:
         return self.sentence if self.where.subject == "map" else f"{self.where.subject}: {self.sentence}"

@@ -18,8 +18,8 @@ from ._core import InvalidInput
 from ._maps import MapLike, surface_map_of
 from ._match_options import exact_options, known_pairs
 from ._matching import match
-from ._messages import Message, Telling, messages_of
 from ._meshes import Mesh, MeshLike, arrays_of, content_of, core_mesh
+from ._messages import Message, Telling, messages_of
 
 Kind = Literal["colors", "texture_coordinates", "normals", "skin", "morphs", "materials"]
 KINDS: tuple[Kind, ...] = ("colors", "texture_coordinates", "normals", "skin", "morphs", "materials")

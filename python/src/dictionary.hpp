@@ -53,7 +53,7 @@ inline nb::list list_of(const std::vector<Message>& messages) {
 }
 
 /// Of meshes.cpp.
-nb::dict dictionary(const MeshReport& report);
+nb::dict counts_of(const MeshReport& report);
 
 inline nb::dict counts_of(const Coverage& coverage) {
     return dictionary_of("transferred", coverage.transferred, "filled", coverage.filled, "guessed",

@@ -109,7 +109,7 @@ nb::dict dictionary(const Verdict& verdict) {
 nb::dict dictionary(const MeshComparison& found) {
     std::string axes;
     for (const int axis : found.axes) axes += "xyz"[axis];
-    return dictionary_of("source", dictionary(found.source), "target", dictionary(found.target),
+    return dictionary_of("source", counts_of(found.source), "target", counts_of(found.target),
                          "same_connectivity", found.same_connectivity, "same_order", found.same_order,
                          "mirrored", found.mirrored, "source_inside_out", found.source_inside_out,
                          "target_inside_out", found.target_inside_out, "scale", found.scale, "axes", axes,

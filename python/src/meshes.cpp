@@ -15,7 +15,7 @@
 #include <numeric>
 
 namespace counterpart::python {
-nb::dict dictionary(const MeshReport& report) {
+nb::dict counts_of(const MeshReport& report) {
     nb::list components;
     for (const ComponentReport& component : report.components)
         components.append(dictionary_of(
@@ -78,7 +78,7 @@ void bind_meshes(nb::module_& module) {
     module.def("move_at_random",
                [](const Mesh& mesh, std::uint64_t seed) { return content_of(move_at_random(mesh, seed)); });
 
-    module.def("inspect", [](const Mesh& mesh) { return dictionary(run([&] { return analyze(mesh); })); });
+    module.def("inspect", [](const Mesh& mesh) { return counts_of(run([&] { return analyze(mesh); })); });
     module.def("vertex_areas", [](const Mesh& mesh) { return array(vertex_areas(mesh)); });
     module.def("vertex_normals", [](const Mesh& mesh) { return matrix_array(vertex_normals(mesh)); });
     module.def(

@@ -6,10 +6,9 @@ import json
 import pickle
 import subprocess
 
+import counterpart3d as cp
 import numpy as np
 import pytest
-
-import counterpart3d as cp
 
 QUICK = {"basis_size": 60, "n_samples": 200}
 
@@ -18,7 +17,7 @@ QUICK = {"basis_size": 60, "n_samples": 200}
 def unlike():
     """A figure and a torus, with different numbers of vertices, the torus in two pieces."""
     ring = cp.make_torus(20, 10)
-    far = ring.vertices + [5, 0, 0]
+    far = ring.vertices + np.array([5, 0, 0])
     two = cp.Mesh(np.vstack([ring.vertices, far]), np.vstack([ring.triangles, ring.triangles + ring.n_vertices]))
     return cp.make_body(0), two
 

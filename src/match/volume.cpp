@@ -81,6 +81,17 @@ VolumeResult by_surfaces(const TetrahedralMesh& source, const TetrahedralMesh& t
     return result;
 }
 
+// What a person knows of the map is followed or refused, never dropped.
+void require_followed(const VolumeOptions& options) {
+    const SpectralOptions& said = options.spectral;
+    const bool is_known = !said.landmarks.empty() || !said.excluded.empty() || said.aligned ||
+                          !said.up.isZero(0) || !said.facing.isZero(0) || said.symmetric || said.initial;
+    if (is_known && options.method != MatchMethod::spectral)
+        throw InvalidInput(
+            "of solids, only the method 'spectral' follows what is known of the map (landmarks, excluded, "
+            "aligned, up, facing, symmetric, initial): name it");
+}
+
 VolumeResult matched(const TetrahedralMesh& source, const TetrahedralMesh& target,
                      const VolumeOptions& options) {
     switch (options.method) {
@@ -112,6 +123,7 @@ VolumeResult match_volume(const TetrahedralMesh& source, const TetrahedralMesh& 
                           const VolumeOptions& options) {
     require_valid(source);
     require_valid(target);
+    require_followed(options);
     return with_threads(options.n_threads, [&] {
         VolumeResult result = matched(source, target, options);
         if (result.method == MatchMethod::exact && !result.identical) return result;

@@ -52,8 +52,9 @@ struct VolumeResult {
 /// positions are harmonic (linear elements, cotangent weights), so the mean of those around, and the closest
 /// vertex is taken. O(V^1.5).
 ///
-/// Throws InvalidInput for invalid meshes or options, frontiers also where the connectivity differs;
-/// Canceled. For exact different connectivity is a result: see `identical`.
+/// Throws InvalidInput for invalid meshes or options, frontiers also where the connectivity differs, and for
+/// what is known of the map (landmarks, excluded, ...) unless the method is spectral; Canceled. For exact
+/// different connectivity is a result: see `identical`.
 VolumeResult match_volume(const TetrahedralMesh& source, const TetrahedralMesh& target,
                           const VolumeOptions& options = {});
 
