@@ -91,7 +91,7 @@ def measure(program, folder, pair, method):
         if 0.5 * RIGHT < error <= RIGHT:
             command = [program, "evaluate", *files, image_file, *options, "-q", "--report", report_file]
             subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
-            error = json.loads(report_file.read_text())["mean_error"]
+            error = json.loads(report_file.read_text())["errors"]["mean_error"]
     return {
         "error": error,
         "method": report["details"].get("chosen_method", report["method"]),

@@ -42,9 +42,9 @@ TetrahedralMesh mirrored(TetrahedralMesh solid) {
 TEST(MatchVolume, RefusesWhatIsInvalid) {
     EXPECT_THROW(match_volume({}, figure()), InvalidInput);
     EXPECT_THROW(match_volume(figure(), figure(), {.method = MatchMethod::nearest}), InvalidInput);
-    VolumeOptions known;
-    known.spectral.excluded = {{0, 0}};
-    EXPECT_THROW(match_volume(figure(), figure(), known), InvalidInput);  // exact would not follow it
+    VolumeOptions excluding;
+    excluding.spectral.excluded = {{0, 0}};
+    EXPECT_THROW(match_volume(figure(), figure(), excluding), InvalidInput);  // exact would not follow it
 }
 
 TEST(MatchVolume, ExactWhateverTheOrderAndThePose) {
