@@ -4,7 +4,6 @@
 
 #include "match_spectral.hpp"
 
-#include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
 
 #include <cmath>
@@ -81,8 +80,7 @@ PartialOptions PartialArguments::options_for(const MatchInput& input, const Spec
     result.soft_landmarks = shared.options.soft_landmarks;
     result.n_threads = input.common.threads;
     result.progress = input.progress;
-    if (!shared.landmarks.empty())
-        result.landmarks = read_landmarks(shared.landmarks, input.source, input.target);
+    result.landmarks = shared.landmarks.read(input.source, input.target);
     return result;
 }
 
@@ -137,7 +135,8 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
                                                               arguments->options_for(input, *shared)));
             },
             true,
-            {"--landmarks", "--soft-landmarks", "--seed", "--alternatives", "--alternatives-output"}};
+            {"--landmarks", "--target-landmarks", "--soft-landmarks", "--seed", "--alternatives",
+             "--alternatives-output"}};
 }
 
 }  // namespace counterpart::cli

@@ -87,6 +87,7 @@ TransferOptions chosen_options(const TransferCommand& command, const AttributedM
                                            kinds_held(source)));
         }
     }
+    options.flat_normals = asked("normals");
     // Texture coordinates are of no use without their texture.
     if (options.texture_coordinates && (has_materials(source) || names_materials(source)))
         options.materials = true;
@@ -237,6 +238,7 @@ void run(const TransferCommand& command) {
         TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
         for (const std::string& warning : result.warnings) warn(warning);
+        for (const std::string& notice : result.notices) say(command.common, notice);
         for (const TransferredAttribute& attribute : result.attributes) {
             say(command.common, in_words(attribute, target.mesh.n_vertices()));
             report["attributes"].push_back(counts_of(attribute));

@@ -17,7 +17,7 @@ from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
 from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
-from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
+from ._landmarks import Landmarks, carry_landmarks, landmark_pairs, read_landmarks, write_landmarks
 from ._maps import (
     MapLike,
     SurfaceMap,
@@ -119,6 +119,7 @@ __all__ = [
     "View",
     "ZoomOutResult",
     "align",
+    "carry_landmarks",
     "complete_map",
     "compose_maps",
     "deform",

@@ -96,7 +96,8 @@ nb::dict dictionary(TransferResult result) {
                           "without_triangles", attribute.without_triangles, "limited_vertices",
                           attribute.limited_vertices, "unbound_vertices", attribute.unbound_vertices));
     return dictionary_of("content", std::move(result.content), "n_matched", result.n_matched, "attributes",
-                         attributes, "has_materials", result.has_materials, "warnings", result.warnings);
+                         attributes, "has_materials", result.has_materials, "warnings", result.warnings,
+                         "notices", result.notices);
 }
 
 void bind_morph(nb::module_& module) {
@@ -164,6 +165,7 @@ void bind_transfer(nb::module_& module) {
         .def_rw("colors", &TransferOptions::colors)
         .def_rw("texture_coordinates", &TransferOptions::texture_coordinates)
         .def_rw("normals", &TransferOptions::normals)
+        .def_rw("flat_normals", &TransferOptions::flat_normals)
         .def_rw("skin", &TransferOptions::skin)
         .def_rw("morphs", &TransferOptions::morphs)
         .def_rw("materials", &TransferOptions::materials)

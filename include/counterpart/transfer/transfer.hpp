@@ -18,6 +18,9 @@ struct TransferOptions {
     bool colors = true;
     bool texture_coordinates = true;
     bool normals = true;
+    /// Also those of a source that is shaded flat, which say no more than its triangles do and would split
+    /// every vertex of the target. A box is not shaded flat: most of its edges that bend are sharp.
+    bool flat_normals = false;
     bool skin = true;
     bool morphs = true;
     bool materials = true;   ///< with their textures; texture coordinates are of no use without them
@@ -45,6 +48,7 @@ struct TransferResult {
     /// With skin or materials: for each target triangle the part of the source that it maps to.
     std::vector<Index> source_parts{};
     std::vector<std::string> warnings{};  ///< sentences for the user: what may be wrong, and what to do
+    std::vector<std::string> notices{};   ///< sentences: what was left out, and why
 };
 
 /// The source's attributes on the target's mesh: corners (transfer_corners, transfer_normals), skin
