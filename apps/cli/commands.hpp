@@ -16,6 +16,7 @@ void add_distances(CLI::App& program);
 void add_evaluate(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_inspect(CLI::App& program);
+void add_landmarks(CLI::App& program);
 void add_manual(CLI::App& program);
 void add_map(CLI::App& program);
 void add_match(CLI::App& program);

@@ -41,16 +41,18 @@ std::vector<std::string> written_meshes() {
 }
 
 const Endings& endings_of(Content content) {
-    static const std::map<Content, Endings> endings = {{Content::mesh, {"a mesh", written_meshes()}},
-                                                       {Content::matrix, {"a matrix", {".npy"}}},
-                                                       {Content::page, {"a web page", {".html", ".htm"}}},
-                                                       {Content::picture, {"a picture", {".png", ".svg"}}},
-                                                       {Content::map, {"a map", {}}},
-                                                       {Content::table, {"a table", {}}},
-                                                       {Content::report, {"a report", {}}},
-                                                       {Content::frames, {"the frames", {}}},
-                                                       {Content::prefix, {"maps", {}}},
-                                                       {Content::folder, {"files", {}}}};
+    static const std::map<Content, Endings> endings = {
+        {Content::mesh, {"a mesh", written_meshes()}},
+        {Content::matrix, {"a matrix", {".npy"}}},
+        {Content::page, {"a web page", {".html", ".htm"}}},
+        {Content::picture, {"a picture", {".png", ".svg"}}},
+        {Content::map, {"a map", {}}},
+        {Content::landmarks, {"landmarks", {".json", ".fcsv", ".csv", ".tps"}}},
+        {Content::table, {"a table", {}}},
+        {Content::report, {"a report", {}}},
+        {Content::frames, {"the frames", {}}},
+        {Content::prefix, {"maps", {}}},
+        {Content::folder, {"files", {}}}};
     return endings.at(content);
 }
 

@@ -14,7 +14,7 @@
 namespace counterpart::cli {
 
 /// What an output file holds, which decides the endings that fit.
-enum class Content { mesh, map, matrix, page, picture, table, report, frames, prefix, folder };
+enum class Content { mesh, map, matrix, landmarks, page, picture, table, report, frames, prefix, folder };
 
 /// An option or positional that names files.
 struct FileArgument {

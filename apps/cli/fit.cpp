@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "known_pairs.hpp"
 #include "load_map.hpp"
 
 #include <counterpart/align/fit_surface.hpp>
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
-#include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/npy.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/render/color.hpp>
@@ -22,7 +22,8 @@ namespace {
 
 struct FitCommand {
     CommonOptions common;
-    std::filesystem::path model, scan, map, landmarks, output, distance;
+    std::filesystem::path model, scan, map, output, distance;
+    KnownPairsFiles landmarks;
     bool color = false;
     double largest_color = 0;
     FitOptions options;
@@ -68,7 +69,7 @@ void run(const FitCommand& command) {
     AttributedMesh model = load_attributed_mesh(command.model, command.common);
     const TriangleMesh scan = load_mesh(command.scan, command.common);
     FitOptions options = command.options;
-    if (!command.landmarks.empty()) options.landmarks = read_landmarks(command.landmarks, model.mesh, scan);
+    options.landmarks = command.landmarks.read(model.mesh, scan);
     watch.lap("read");
     const FoundMap<SurfaceMap> found = surface_map_or_match(
         command.map, {model.mesh, scan, command.model, command.scan}, command.common, options.landmarks);
@@ -134,9 +135,9 @@ void add_fit(CLI::App& program) {
                "Mesh file for the fitted TEMPLATE")
         ->required();
     add_input(*fit, files, "--map", command->map, "Map from TEMPLATE to SCAN. Default: match them first");
-    add_input(*fit, files, "--landmarks", command->landmarks,
-              "Pairs that must meet, one per line: two 0-based vertices or two points (6 coordinates); "
-              "without --map they also guide the match");
+    add_known_pairs(*fit, command->landmarks,
+                    "Pairs that must meet; without --map they also guide the match");
+    for (const FileArgument& file : files_of(command->landmarks)) files.push_back(file);
     fit->add_option("--stiffness", command->options.stiffness,
                     "How large a feature of SCAN must be to be followed, in edges of TEMPLATE")
         ->check(number(0.1, 10))

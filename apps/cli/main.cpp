@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     counterpart::cli::add_evaluate(program);
     counterpart::cli::add_project(program);
     counterpart::cli::add_transfer(program);
+    counterpart::cli::add_landmarks(program);
     counterpart::cli::add_morph(program);
     counterpart::cli::add_align(program);
     counterpart::cli::add_fit(program);

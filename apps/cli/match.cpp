@@ -274,7 +274,7 @@ void add_match(CLI::App& program) {
     add_method(*command, *match, [&] { return add_nearest_method(*match); });
     add_method(*command, *match, [&] { return add_assignment_method(*match); });
     FileArguments& files = command->common.files;
-    files.push_back({"--landmarks", &spectral->landmarks, nullptr, {}});
+    for (const FileArgument& file : files_of(spectral->landmarks)) files.push_back(file);
     files.push_back({"--cache", &spectral->cache, nullptr, Content::folder});
     files.push_back({"--alternatives-output", &spectral->alternatives, nullptr, Content::map});
     files.push_back({"--symmetric-alternatives", &exact->alternatives, nullptr, Content::prefix});

@@ -130,8 +130,8 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
                 return with_result(partial_outcome(*shared, *result.partial), result);
             },
             true,
-            {"--landmarks", "--soft-landmarks", "--not", "--aligned", "--up", "--facing", "--seed",
-             "--alternatives", "--alternatives-output"}};
+            {"--landmarks", "--target-landmarks", "--soft-landmarks", "--not", "--aligned", "--up",
+             "--facing", "--seed", "--alternatives", "--alternatives-output"}};
 }
 
 }  // namespace counterpart::cli

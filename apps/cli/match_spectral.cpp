@@ -3,7 +3,6 @@
 #include "match_spectral.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/shape_file.hpp>
 
@@ -73,7 +72,7 @@ SpectralOptions SpectralArguments::options_for(const MatchInput& input) const {
     SpectralOptions result = options;
     result.n_threads = input.common.threads;
     result.progress = input.progress;
-    if (!landmarks.empty()) result.landmarks = read_landmarks(landmarks, input.source, input.target);
+    result.landmarks = landmarks.read(input.source, input.target);
     for (const std::string& pair : excluded) result.excluded.push_back(excluded_pair(pair));
     result.up = direction(up, "--up");
     result.facing = direction(facing, "--facing");
@@ -113,12 +112,9 @@ MatchOutcome spectral_outcome(const SpectralArguments& arguments, const Spectral
 
 MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments) {
     const std::string group = "Options of --method spectral";
-    match
-        .add_option("--landmarks", arguments->landmarks,
-                    "Known pairs, one per line: two 0-based vertices or two points (6 coordinates). They "
-                    "hold exactly; one on a part that went wrong mostly mends the map")
-        ->type_name("FILE")
-        ->group(group);
+    add_known_pairs(match, arguments->landmarks,
+                    "Known pairs, which hold exactly; one on a part that went wrong mostly mends the map",
+                    group);
     match
         .add_flag("--soft-landmarks", arguments->options.soft_landmarks,
                   "Let the landmarks only guide the choice of the map")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "known_pairs.hpp"
 #include "match_methods.hpp"
 
 #include <counterpart/match/match.hpp>
@@ -15,10 +16,11 @@ namespace counterpart::cli {
 struct SpectralArguments {
     SpectralOptions options;
     SpectralShapeOptions shape;
-    std::filesystem::path landmarks, alternatives;  // files; empty: none
-    std::filesystem::path cache;                    // a folder of prepared shapes; empty: none
-    std::vector<std::string> excluded;              // "a:b"
-    std::string up, facing;                         // "y", "-z", "0,0.7,0.7"; empty: unknown
+    KnownPairsFiles landmarks;
+    std::filesystem::path alternatives;  // file; empty: none
+    std::filesystem::path cache;         // a folder of prepared shapes; empty: none
+    std::vector<std::string> excluded;   // "a:b"
+    std::string up, facing;              // "y", "-z", "0,0.7,0.7"; empty: unknown
 
     /// With the landmarks and the other words read.
     SpectralOptions options_for(const MatchInput& input) const;

@@ -87,6 +87,7 @@ TransferOptions chosen_options(const TransferCommand& command, const AttributedM
                                            kinds_held(source)));
         }
     }
+    options.flat_normals = asked("normals");
     // Texture coordinates are of no use without their texture.
     if (options.texture_coordinates && (has_materials(source) || names_materials(source)))
         options.materials = true;
@@ -236,7 +237,12 @@ void run(const TransferCommand& command) {
                             n, command.target.string()));
         TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
-        for (const Message& message : result.messages) warn(message.sentence);
+        for (const Message& message : result.messages) {
+            if (message.severity == Severity::notice)
+                say(command.common, message.sentence);
+            else
+                warn(message.sentence);
+        }
         for (const TransferredAttribute& attribute : result.attributes) {
             say(command.common, in_words(attribute, target.mesh.n_vertices()));
             report["attributes"].push_back(counts_of(attribute));

@@ -18,7 +18,7 @@ from ._calls import ProgressLike
 from ._comparison import Comparison, MethodChoice, choose_method, compare
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
 from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
-from ._landmarks import Landmarks, landmark_pairs, read_landmarks, write_landmarks
+from ._landmarks import Landmarks, carry_landmarks, landmark_pairs, read_landmarks, write_landmarks
 from ._maps import (
     MapLike,
     SurfaceMap,
@@ -127,6 +127,7 @@ __all__ = [
     "Where",
     "ZoomOutResult",
     "align",
+    "carry_landmarks",
     "choose_method",
     "compare",
     "complete_map",

@@ -14,6 +14,7 @@ import numpy as np
 from . import _core
 from ._arrays import FloatArray, IntArray, floats
 from ._calls import Result
+from ._maps import MapLike, surface_map_of
 from ._meshes import MeshLike, core_mesh
 
 Axes = Literal["LPS", "RAS"]
@@ -101,6 +102,39 @@ def landmark_pairs(
     """
     begin, end = _table(source_landmarks), _table(target_landmarks)
     return _core.landmark_pairs(core_mesh(source), core_mesh(target), *begin, *end)
+
+
+def carry_landmarks(
+    landmarks: Landmarks | Mapping[str, Any],
+    source: MeshLike,
+    target: MeshLike,
+    target_from_source: MapLike,
+) -> Landmarks:
+    """Landmarks of one mesh on another, each where the map takes the closest point of the source's surface.
+
+    Parameters
+    ----------
+    landmarks : Landmarks, or mapping of str to array_like, (3,)
+        On the source or near it, in its frame.
+    source, target : MeshLike
+    target_from_source : MapLike
+
+    Returns
+    -------
+    Landmarks
+        On the target's surface, in its frame. Left out are those around which the map has no partner.
+
+    Raises
+    ------
+    InvalidInput
+        The map does not fit the meshes, or a coordinate is not finite.
+    """
+    names, points = _table(landmarks)
+    begin, end = core_mesh(source), core_mesh(target)
+    carried = _core.carry_points(points, begin, end, *surface_map_of(target_from_source, begin, end))
+    axes = landmarks.axes if isinstance(landmarks, Landmarks) else None
+    pairs = zip(names, carried, strict=True)
+    return Landmarks({name: point for name, point in pairs if not np.isnan(point).any()}, axes)
 
 
 def _table(landmarks: Landmarks | Mapping[str, Any]) -> tuple[list[str], FloatArray]:

@@ -56,7 +56,7 @@ def transfer(
     target_from_source: MapLike | None = None,
     *,
     source_from_target: MapLike | None = None,
-    what: Collection[Kind] = KINDS,
+    what: Collection[Kind] | None = None,
     max_influences: int = 0,
     n_threads: int = 0,
     progress: ProgressLike = None,
@@ -72,7 +72,8 @@ def transfer(
     target_from_source, source_from_target : MapLike, optional
         The map, in either direction. Without one, vertex i is vertex i.
     what : collection of str
-        Any of "colors", "texture_coordinates", "normals", "skin", "morphs", "materials".
+        Any of "colors", "texture_coordinates", "normals", "skin", "morphs", "materials". Default: all, but not
+        the normals of a source that is shaded flat, which would split every vertex.
     max_influences : int
         Largest number of joints per vertex, 1 .. 64; 0 for as many as the source has.
     n_threads : int
@@ -86,6 +87,8 @@ def transfer(
         A texture is missing.
     """
     options = _core.TransferOptions()
+    options.flat_normals = what is not None and "normals" in what
+    what = KINDS if what is None else what
     unknown = [kind for kind in what if kind not in KINDS]
     if isinstance(what, str) or unknown:
         raise InvalidInput(f"what must be a collection of {', '.join(KINDS)}; not {what!r}")

@@ -8,6 +8,7 @@
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/evaluation/map_quality.hpp>
 #include <counterpart/io/map_file.hpp>
+#include <counterpart/map/carry_points.hpp>
 #include <counterpart/map/complete.hpp>
 #include <counterpart/map/invert.hpp>
 #include <counterpart/map/project.hpp>
@@ -165,6 +166,16 @@ void bind_maps(nb::module_& module) {
             }));
         },
         "target"_a, "triangle"_a, "weights"_a, "values"_a);
+    module.def(
+        "carry_points",
+        [](const MatrixArray& points, const Mesh& source, const Mesh& target, const IndexArray& triangle,
+           const PointArray& weights) {
+            return matrix_array(run([&, copy = Points(map_of(points))] {
+                return carry_points(copy, source, target,
+                                    surface_map_of(triangle, weights, target.n_triangles()));
+            }));
+        },
+        "points"_a, "source"_a, "target"_a, "triangle"_a, "weights"_a);
     module.def(
         "compose_maps",
         [](const IndexArray& b_from_a, const IndexArray& c_from_b) {

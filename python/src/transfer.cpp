@@ -167,6 +167,7 @@ void bind_transfer(nb::module_& module) {
         .def_rw("colors", &TransferOptions::colors)
         .def_rw("texture_coordinates", &TransferOptions::texture_coordinates)
         .def_rw("normals", &TransferOptions::normals)
+        .def_rw("flat_normals", &TransferOptions::flat_normals)
         .def_rw("skin", &TransferOptions::skin)
         .def_rw("morphs", &TransferOptions::morphs)
         .def_rw("materials", &TransferOptions::materials)

@@ -51,3 +51,32 @@ def test_two_of_one_name(tmp_path):
     (tmp_path / "a.csv").write_text("nose,1,2,3\nnose,1,2,4\n")
     with pytest.raises(cp.IoError, match="two landmarks 'nose'"):
         cp.read_landmarks(tmp_path / "a.csv")
+
+
+def test_carried_by_a_map(pair):
+    source, target, truth = pair
+    on_source = cp.Landmarks({str(v): source.vertices[v] for v in (3, 40, 200)}, "RAS")
+    carried = cp.carry_landmarks(on_source, source, target, truth)
+    assert carried.axes == "RAS"
+    for name, point in carried.points.items():
+        assert np.abs(point - target.vertices[truth[int(name)]]).max() < 1e-3
+    partial = np.where(source.vertices[:, 1] < np.median(source.vertices[:, 1]), -1, truth)
+    low = source.vertices[np.argmin(source.vertices[:, 1])]
+    high = source.vertices[np.argmax(source.vertices[:, 1])]
+    corners = cp.SurfaceMap(*surface(partial, target))
+    assert set(cp.carry_landmarks({"low": low, "high": high}, source, target, corners).points) == {"high"}
+    with pytest.raises(cp.InvalidInput, match="not finite"):
+        cp.carry_landmarks({"a": [0, np.nan, 0]}, source, target, truth)
+
+
+def surface(image, target):
+    """A map to vertices as triangles and weights."""
+    triangle = np.full(len(image), -1, np.int32)
+    weights = np.zeros((len(image), 3))
+    corner_of = np.zeros((target.n_vertices, 2), np.int32)
+    for c in range(3):
+        corner_of[target.triangles[:, c]] = np.column_stack([np.arange(target.n_triangles), np.full(target.n_triangles, c)])
+    matched = image >= 0
+    triangle[matched] = corner_of[image[matched], 0]
+    weights[matched, corner_of[image[matched], 1]] = 1
+    return triangle, weights

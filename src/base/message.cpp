@@ -114,6 +114,8 @@ std::string to_string(MessageCode code) {
             return "against_request";
         case MessageCode::option_not_used:
             return "option_not_used";
+        case MessageCode::shaded_flat:
+            return "shaded_flat";
         case MessageCode::skeleton_stays:
             return "skeleton_stays";
         case MessageCode::turned_inside_out:

@@ -84,7 +84,7 @@ LandmarkPoints read_landmark_points(const std::filesystem::path& file, std::opti
     return points;
 }
 
-void write_landmark_points(const LandmarkPoints& points, const std::filesystem::path& file) {
+void require_writable(const LandmarkPoints& points, const std::filesystem::path& file) {
     const LandmarkFormat& format = landmark_format_of(file);
     const auto require = [&](bool holds, const std::string& reason) {
         if (!holds) throw IoError(fmt::format("{}: not written: {}", file.string(), reason));
@@ -96,7 +96,11 @@ void write_landmark_points(const LandmarkPoints& points, const std::filesystem::
         require(!format.is_table || landmark.name.find_first_of(",;\"\r\n#") == std::string::npos,
                 fmt::format("the name '{}' has characters that the format cannot hold", landmark.name));
     }
-    write_file(format.bytes(points), file);
+}
+
+void write_landmark_points(const LandmarkPoints& points, const std::filesystem::path& file) {
+    require_writable(points, file);
+    write_file(landmark_format_of(file).bytes(points), file);
 }
 
 std::vector<std::pair<Index, Index>> landmark_pairs(const LandmarkPoints& source_points, MeshView source,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/mtl.hpp"
 
+#include "io/text_cursor.hpp"
+
 #include <counterpart/io/file.hpp>
 
 #include <algorithm>
@@ -22,6 +24,7 @@ std::string_view trimmed(std::string_view text) {
 // Calls `take(key word, rest)` for each line that has both.
 template <typename Take>
 void for_each_line(std::string_view text, const Take& take) {
+    text = without_mark(text);
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         const std::string_view line = trimmed(text.substr(0, end));

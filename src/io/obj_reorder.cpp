@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/formats.hpp"
+#include "io/text_cursor.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/obj_reorder.hpp>
@@ -94,6 +95,16 @@ CornerAttributes parse_corner(std::string_view word, const ObjText& obj) {
     return corner;
 }
 
+// Rows that the file does not have, as read_obj leaves them out.
+void leave_out_missing(ObjText& obj) {
+    const auto n_textures = static_cast<long>(obj.textures.size()),
+               n_normals = static_cast<long>(obj.normals.size());
+    for (CornerAttributes& corner : obj.corners) {
+        if (corner.texture > n_textures) corner.texture = 0;
+        if (corner.normal > n_normals) corner.normal = 0;
+    }
+}
+
 ObjText parse(std::string_view text) {
     ObjText obj;
     obj.polygons = io::read_obj(text, "reorder_obj").mesh.polygons;
@@ -108,6 +119,7 @@ ObjText parse(std::string_view text) {
         for (std::string_view corner = next_word(rest); !corner.empty(); corner = next_word(rest))
             obj.corners.push_back(parse_corner(corner, obj));
     }
+    leave_out_missing(obj);
     return obj;
 }
 
@@ -193,8 +205,8 @@ class Writer {
 std::string reorder_obj(std::string_view source_text, std::string_view target_text,
                         const VertexMap& target_from_source, TrianglesView source_triangles,
                         TrianglesView target_corner_from_source) {
-    const std::string source_lines = with_whole_lines(source_text),
-                      target_lines = with_whole_lines(target_text);
+    const std::string source_lines = with_whole_lines(io::without_mark(source_text)),
+                      target_lines = with_whole_lines(io::without_mark(target_text));
     const ObjText source = parse(source_lines), target = parse(target_lines);
     require_valid(target_from_source, static_cast<Index>(source.positions.size()),
                   static_cast<Index>(target.positions.size()));

@@ -47,6 +47,10 @@ TransferredCorners transfer_normals(const SurfaceMap& source_from_target, MeshVi
                                     const CornerAttribute& normals,
                                     const TransferCornersOptions& options = {});
 
+/// Whether each corner has the normal of its triangle on a surface that is smooth: of the edges that bend,
+/// most do by less than 30 degrees. O(T).
+bool is_shaded_flat(MeshView mesh, const CornerAttribute& normals);
+
 struct TransferSkinOptions {
     /// Maximum number of joints per vertex, 1 .. 64; those with the largest weights are kept. 0 = the
     /// source's K (4 or 8 in glTF).

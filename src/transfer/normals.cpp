@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
+#include "mesh/edge_table.hpp"
 #include "numerics/rotation.hpp"
 #include "transfer/attributes.hpp"
 
@@ -68,7 +69,30 @@ std::vector<Eigen::Matrix3d> turns_of_rows(const SurfaceMap& map, MeshView sourc
     return turns;
 }
 
+constexpr double same_direction = 0.9999;                  // cosine: files keep three to four digits
+constexpr double least_bend = 0.9998, sharp_bend = 0.866;  // cosines of 1 and 30 degrees
+
 }  // namespace
+
+bool is_shaded_flat(MeshView mesh, const CornerAttribute& normals) {
+    const Points directions = triangle_normals(mesh);
+    for (Index t = 0; t < mesh.n_triangles(); ++t) {
+        if (directions.row(t).isZero(0)) continue;
+        for (const Index row : normals.corners.row(t))
+            if (row < 0 || normals.values.row(row).normalized().dot(directions.row(t)) < same_direction)
+                return false;
+    }
+    Index n_bent = 0, n_sharp = 0;
+    const mesh::EdgeTable edges(mesh);
+    for (Index e = 0; e < edges.n_edges(); ++e) {
+        const auto sides = edges.half_edges(e);
+        if (sides.size() != 2) continue;
+        const double cosine = directions.row(sides[0].triangle).dot(directions.row(sides[1].triangle));
+        n_bent += cosine < least_bend ? 1 : 0;
+        n_sharp += cosine < sharp_bend ? 1 : 0;
+    }
+    return 2 * n_sharp < n_bent;
+}
 
 TransferredCorners transfer_normals(const SurfaceMap& source_from_target, MeshView source, MeshView target,
                                     const CornerAttribute& normals, const TransferCornersOptions& options) {

@@ -129,7 +129,12 @@ TransferResult transfer_through_inverse(const AttributedMesh& source, const Attr
     if (takes_skin) transfer.skin();
     if (options.morphs && !source.morphs.empty()) transfer.morphs();
     report_progress(options.progress, 0.7);
-    if (options.normals && source.normals.values.rows() > 0) {
+    const bool has_normals = options.normals && source.normals.values.rows() > 0;
+    if (has_normals && !options.flat_normals && attributes::is_shaded_flat(source.mesh, source.normals)) {
+        result.messages.push_back({MessageCode::shaded_flat, Severity::notice,
+                                   "the source is shaded flat: its normals, which say no more than its "
+                                   "triangles, are not transferred"});
+    } else if (has_normals) {
         content.normals = transfer.corners("normals", [&] {
             return attributes::transfer_normals(source_from_target, source.mesh, content.mesh, source.normals,
                                                 {.n_threads = options.n_threads});

@@ -159,6 +159,33 @@ printf '0 0\n1 1\n2 99999999\n' > bad.txt
 refuse 1 "out of range" match body.off pose.off $fast --landmarks bad.txt -o none.txt
 refuse 2 "basis-size" match body.off pose.off --method spectral --basis-size 3 -o none.txt
 
+# ---- landmarks as people set them: by name, one file for each mesh ----
+python3 - << 'END'
+def vertices(name):
+    lines = open(name).read().split("\n")
+    return [list(map(float, line.split())) for line in lines[2:2 + int(lines[1].split()[0])]]
+
+a, b = vertices("body.off"), vertices("pose.off")
+truth = list(map(int, open("truth.txt").read().split()))
+names = {5: "nose", 300: "left heel", 900: "right heel", 1100: "belly"}
+for file, points in (("a.csv", [a[v] for v in names]), ("b.csv", [b[truth[v]] for v in names])):
+    rows = [f"{name},{','.join(map(repr, point))}" for name, point in zip(names.values(), points)]
+    open(file, "w").write("\n".join(reversed(rows) if file == "b.csv" else rows) + "\n")
+END
+run match body.off pose.off $fast --landmarks a.csv --target-landmarks b.csv -o named.txt
+cmp named.txt marked.txt || fail "named landmarks are other pairs"
+refuse 1 "target-landmarks" match body.off pose.off $fast --landmarks a.csv -o none.txt
+refuse 2 "landmarks" match body.off pose.off $fast --target-landmarks b.csv -o none.txt
+run landmarks body.off pose.off a.csv --map marked.txt -o carried.csv
+python3 - << 'END'
+rows = lambda file: {n: [float(x) for x in p] for n, *p in (l.split(",") for l in open(file) if l.strip()) if p[0][-1:].isdigit()}
+b, carried = rows("b.csv"), rows("carried.csv")
+assert carried.keys() == b.keys(), carried
+assert all(abs(x - y) < 1e-3 for n in b for x, y in zip(b[n], carried[n])), (b, carried)
+END
+refuse 1 "LPS or RAS" landmarks body.off pose.off a.csv --map marked.txt -o none.mrk.json
+refuse 1 "holds landmarks" landmarks body.off pose.off a.csv --map marked.txt -o none.txt
+
 # ---- what is doubtful is said ----
 run match body.off inside_out.off $fast -o map.txt && says "inside_out.off: inside out"
 cmp -s map.txt same.txt || fail "an inside-out mesh was not matched with itself"

@@ -73,6 +73,7 @@ enum class MessageCode {
     // How a request was met.
     against_request,    ///< the map goes against what was said of it
     option_not_used,    ///< by the method that was chosen
+    shaded_flat,        ///< normals that say no more than the triangles do are left out
     skeleton_stays,     ///< though the mesh is carried away from it
     turned_inside_out,  ///< so that the outside of a mirrored mesh stays out
 };

@@ -39,6 +39,9 @@ LandmarkPoints read_landmark_points(const std::filesystem::path& file, std::opti
 /// hold.
 void write_landmark_points(const LandmarkPoints& points, const std::filesystem::path& file);
 
+/// Throws what write_landmark_points would throw for these points and this file name.
+void require_writable(const LandmarkPoints& points, const std::filesystem::path& file);
+
 /// The vertices nearest to landmarks of the same name, in the source's order. Throws InvalidInput if a name
 /// is there twice or no two are the same. O(V) for each.
 std::vector<std::pair<Index, Index>> landmark_pairs(const LandmarkPoints& source_points, MeshView source,

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/stored_shape.hpp"
 
+#include "base/hash_mixing.hpp"
+
 #include <counterpart/base/errors.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,8 +16,22 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// With the version: to be raised with every change of what is stored, of `prepare`, or of PreparationTuning.
-constexpr std::string_view magic = "counterpart spectral shape 2\n";
+// With the version: to be raised with every change of what is stored or of `prepare`. Its tuning follows.
+constexpr std::string_view magic = "counterpart spectral shape 3\n";
+
+// Names every field: a new one does not compile until it is added here.
+std::uint64_t hash_of(const PreparationTuning& tuning) {
+    const auto& [min_share, n_sources, radius, apart, max_extremities, times, percentile, relief, n_relief,
+                 large, proxy, proxy_area, tolerance, min_local, per_function, local_radius] = tuning;
+    std::uint64_t hash = 0;
+    const auto add = [&](const auto&... values) {
+        ((hash = mixed(std::bit_cast<std::uint64_t>(static_cast<double>(values)), hash)), ...);
+    };
+    add(min_share, n_sources, radius, apart, max_extremities, percentile, relief, n_relief, large, proxy,
+        proxy_area, tolerance, min_local, per_function, local_radius);
+    for (const double time : times) add(time);
+    return hash;
+}
 
 void require(bool condition, const char* reason) {
     if (!condition) throw InvalidInput(std::string("not a prepared shape of this version: ") + reason);
@@ -240,16 +257,20 @@ void require_consistent(const PreparedShape& shape) {
 
 }  // namespace
 
-std::string to_bytes(const PreparedShape& shape) {
+std::string to_bytes(const PreparedShape& shape, const PreparationTuning& tuning) {
     Writer writer;
     writer.bytes = magic;
+    writer(hash_of(tuning));
     visit(writer, shape);
     return std::move(writer.bytes);
 }
 
-PreparedShape shape_from_bytes(std::string_view bytes) {
+PreparedShape shape_from_bytes(std::string_view bytes, const PreparationTuning& tuning) {
     require(bytes.starts_with(magic), "it begins with something else");
     Reader reader(bytes.substr(magic.size()));
+    std::uint64_t prepared_with = 0;
+    reader(prepared_with);
+    require(prepared_with == hash_of(tuning), "it was prepared with other constants");
     PreparedShape shape;
     visit(reader, shape);
     require(reader.is_at_end(), "something follows it");

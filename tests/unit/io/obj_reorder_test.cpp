@@ -54,6 +54,24 @@ TEST(ReorderObj, TakesLinesThatABackslashContinuesAsOne) {
               "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 2 0 \nf 2/1 3/1 1/1\n");
 }
 
+TEST(ReorderObj, PassesOverAByteOrderMark) {
+    Triangles triangles(1, 3), corners(1, 3);
+    triangles << 1, 2, 0;
+    corners << 2, 0, 1;
+    const std::string mark = "\xef\xbb\xbf", begins = "v 0.50 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    EXPECT_EQ(reorder_obj(mark + source, mark + begins, {{1, 2, 0}, 3}, triangles, corners),
+              "v 1 0 0\nv 0 1 0\nv 0.50 0 0\nf 2 3 1\n");
+}
+
+TEST(ReorderObj, LeavesOutRowsThatTheTargetLacks) {
+    Triangles triangles(1, 3), corners(1, 3);
+    triangles << 1, 2, 0;
+    corners << 0, 1, 2;
+    const char* const lacking = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt .1 .1\nf 1/1 2/7/3 3/-5\n";
+    EXPECT_EQ(reorder_obj(source, lacking, {{0, 1, 2}, 3}, triangles, corners),
+              "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt .1 .1\nf 2/1 3 1\n");
+}
+
 TEST(ReorderObj, RefusesWhatDoesNotFit) {
     Triangles triangles(1, 3), corners(1, 3);
     triangles << 1, 2, 0;

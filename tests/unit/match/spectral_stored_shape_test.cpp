@@ -66,6 +66,14 @@ TEST(SpectralStoredShape, RefusesWhatIsNotWhole) {
         EXPECT_THROW(shape_from_bytes(std::string_view(bytes).substr(0, size)), InvalidInput) << size;
 }
 
+TEST(SpectralStoredShape, OfOtherConstantsIsRefused) {
+    spectral_match::PreparationTuning other;
+    other.curvature_times[3] *= 2;
+    const std::string bytes = to_bytes(small_shape(), other);
+    test::expect_error<InvalidInput>([&] { shape_from_bytes(bytes); }, "prepared with other constants");
+    EXPECT_NO_THROW(shape_from_bytes(bytes, other));
+}
+
 // Whatever a byte is changed to: refused, or a shape whose numbers are in range, which can be matched.
 TEST(SpectralStoredShape, DamageIsRefusedOrHarmless) {
     const std::string bytes = to_bytes(small_shape());

@@ -168,10 +168,37 @@ TEST(CarryNormals, StandToTheSurfaceAsTheyDid) {
     EXPECT_LT(error / (3 * target.n_triangles()), 0.02);
 }
 
+// Each corner has its triangle's normal, as programs write surfaces that are shaded flat.
+CornerAttribute flat_normals(const TriangleMesh& mesh) {
+    CornerAttribute flat{triangle_normals(mesh), Triangles(mesh.n_triangles(), 3)};
+    for (Index t = 0; t < mesh.n_triangles(); ++t) flat.corners.row(t).setConstant(t);
+    return flat;
+}
+
+TEST(CarryNormals, OfAFlatShadedSurfaceOnlyWhereAsked) {
+    AttributedMesh source{.mesh = make_body({.subdivisions = 1})};
+    source.normals = flat_normals(source.mesh);
+    const AttributedMesh target{.mesh = source.mesh};
+    const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
+    const TransferResult left_out = transfer_through_inverse(source, target, map);
+    EXPECT_EQ(left_out.content.normals.values.rows(), 0);
+    EXPECT_TRUE(contains(left_out.messages, MessageCode::shaded_flat));
+    const TransferResult asked = transfer_through_inverse(source, target, map, {.flat_normals = true});
+    EXPECT_GT(asked.content.normals.values.rows(), 0);
+    EXPECT_TRUE(asked.messages.empty());
+}
+
+TEST(CarryNormals, OfSharpEdgesAreNotTakenForFlatShading) {
+    const TriangleMesh solid = make_icosphere(0);
+    EXPECT_FALSE(attributes::is_shaded_flat(solid, flat_normals(solid)));
+    const TriangleMesh body = make_body({.subdivisions = 1});
+    EXPECT_TRUE(attributes::is_shaded_flat(body, flat_normals(body)));
+    EXPECT_FALSE(attributes::is_shaded_flat(body, {vertex_normals(body), body.triangles}));
+}
+
 TEST(CarryNormals, HardEdgesStayHard) {
     const TriangleMesh source = make_torus(24, 16);
-    CornerAttribute flat{triangle_normals(source), Triangles(source.n_triangles(), 3)};
-    for (Index t = 0; t < source.n_triangles(); ++t) flat.corners.row(t).setConstant(t);
+    const CornerAttribute flat = flat_normals(source);
     TriangleMesh target = source;
     target.vertices.col(0) *= 2;
     const SurfaceMap map = surface_map_of(identity_map(source.n_vertices()), source);

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "known_pairs.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/io/landmark_file.hpp>
+#include <counterpart/io/landmark_points.hpp>
+
+#include <fmt/format.h>
+
+namespace counterpart::cli {
+
+Landmarks KnownPairsFiles::read(MeshView source, MeshView target_mesh) const {
+    if (pairs.empty()) return {};
+    if (!target.empty())
+        return landmark_pairs(read_landmark_points(pairs), source, read_landmark_points(target), target_mesh);
+    const std::string name = pairs.filename().string();
+    for (const char* ending : {".json", ".fcsv", ".csv"})
+        if (name.ends_with(ending))
+            throw InvalidInput(fmt::format(
+                "{} holds points of one mesh: give those of the other with --target-landmarks", name));
+    return read_landmarks(pairs, source, target_mesh);
+}
+
+void add_known_pairs(CLI::App& command, KnownPairsFiles& known, const std::string& purpose,
+                     const std::string& group) {
+    CLI::Option* pairs =
+        command
+            .add_option("--landmarks", known.pairs,
+                        purpose +
+                            ". One pair per line: two 0-based vertices or two points (6 coordinates); "
+                            "or, with --target-landmarks, the source's points")
+            ->type_name("FILE")
+            ->group(group);
+    command
+        .add_option(
+            "--target-landmarks", known.target,
+            "The target's points: those of --landmarks with the same names correspond. Both .mrk.json or "
+            ".fcsv of 3D Slicer, .json of scalismo, or .csv (name, x, y, z)")
+        ->type_name("FILE")
+        ->needs(pairs)
+        ->group(group);
+}
+
+FileArguments files_of(KnownPairsFiles& known) {
+    return {{"--landmarks", &known.pairs, nullptr, {}}, {"--target-landmarks", &known.target, nullptr, {}}};
+}
+
+}  // namespace counterpart::cli
