@@ -70,12 +70,12 @@ void add_on_score(const Level& whole, const Polished& found, Messages& messages)
     if (found.runners_up.empty()) return;
     const RunnerUp& next = found.runners_up.front();
     if (next.behind >= tuning.close_margin) return;
-    // Confidence tells where a runner-up goes elsewhere; of two maps that differ as a whole it cannot tell
-    // which.
+    // A runner-up that only moves a tail or an ear lowers the confidence there, which says enough.
     const Departure differs = departure(whole, found.best, next.map);
     messages.push_back(
         {MessageCode::close_runner_up,
-         differs.as_a_whole || score < tuning.doubtful_close_score ? Severity::caution : Severity::notice,
+         differs.moved > tuning.much_moved || score < tuning.doubtful_close_score ? Severity::caution
+                                                                                  : Severity::notice,
          fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): inspect both, or "
                      "give landmarks",
                      score - next.behind, score, differs.words)});
