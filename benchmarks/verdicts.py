@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 """How often a verdict is right: maps with known truth, by what the program says of them.
 
-    benchmarks/verdicts.py PROGRAM DATA HALF RESULTS.jsonl [--pairs N] [--method NAME] [--set NAME ...]
+    benchmarks/verdicts.py PROGRAM DATA HALF RESULTS.jsonl [--pairs N] [--skip N] [--method NAME] [--set NAME ...]
 
 HALF is 0 or 1: limits are chosen on one half of the pairs and proved on the other. Of each set, N pairs drawn from a
 fixed seed are matched, one after the other, and what is in RESULTS already is not run again. A map is right if its mean
@@ -44,7 +44,7 @@ def points_of(off):
     return vertices, triangles
 
 
-def pairs_of(folder, half, count):
+def pairs_of(folder, half, skip, count):
     """Source, target and, per set, where its truth lies; every other pair of a shuffled list."""
     if (folder / "truth").is_dir():
         listed = [line.split()[:2] for line in (folder / "pairs.txt").read_text().splitlines() if line.strip()]
@@ -52,7 +52,7 @@ def pairs_of(folder, half, count):
         names = sorted(file.stem for file in folder.glob("*.off") if (folder / "corres" / f"{file.stem}.vts").exists())
         listed = [[a, b] for a in names for b in names if class_of(a) == class_of(b) and a != b]
     random.Random(48).shuffle(listed)
-    return [tuple(pathlib.Path(name).stem for name in pair) for pair in listed][half::2][:count]
+    return [tuple(pathlib.Path(name).stem for name in pair) for pair in listed][half::2][skip : skip + count]
 
 
 def class_of(name):
@@ -109,13 +109,14 @@ def main():
     parser.add_argument("half", type=int, choices=(0, 1))
     parser.add_argument("results", type=pathlib.Path)
     parser.add_argument("--pairs", type=int)
+    parser.add_argument("--skip", type=int, default=0, help="of each set: pairs of a later draw")
     parser.add_argument("--method", default="auto")
     parser.add_argument("--set", nargs="*", default=list(SETS))
     given = parser.parse_args()
     known = [json.loads(line) for line in given.results.read_text().splitlines()] if given.results.exists() else []
     done = {(line["set"], *line["pair"]) for line in known}
     for name in given.set:
-        for pair in pairs_of(given.data / name, given.half, given.pairs or SETS[name]):
+        for pair in pairs_of(given.data / name, given.half, given.skip, given.pairs or SETS[name]):
             if (name, *pair) in done:
                 continue
             line = {"set": name, "pair": pair, **measure(given.program, given.data / name, pair, given.method)}

@@ -36,8 +36,8 @@ Verdict verdict(const std::vector<Message>& messages);
 Verdict verdict(const MatchResult& result);
 
 /// What a map and its confidence say, vertex by vertex, as match adds it to its messages: how many vertices
-/// are to be doubted, and where (below 0.2; 5 % are a caution, half of them too many), and how many have no
-/// partner. An empty confidence is none. O(V).
+/// are to be doubted, and where (below 0.2; a tenth of them is a caution, half of them too many), and how
+/// many have no partner. An empty confidence is none. O(V).
 std::vector<Message> doubts(const VertexMap& target_from_source, const Vector& confidence, MeshView source);
 
 /// Why a map that these messages are about may be wrong, the likeliest first, as match tells it in its

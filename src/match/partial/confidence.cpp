@@ -105,10 +105,12 @@ std::vector<Message> messages_on(const PartialResult& result, const spectral_mat
         fmt::format("the surfaces look little alike where they are matched (score {:.2f}): they may not show "
                     "the same thing, or their scales differ; do not rely on this map",
                     result.score));
-    add(misfit > tuning.much_misfit, MessageCode::misfit, Severity::caution,
-        fmt::format("{:.0f} % of a mesh lies where the other goes on and yet fits nothing there: the parts "
-                    "may not overlap, or not as they were matched",
-                    100 * misfit));
+    // Where all of one mesh has partners, it is the other that has more there.
+    const bool one_fits = std::max(result.source_share, result.target_share) >= tuning.all_fits;
+    add(misfit > tuning.much_misfit, MessageCode::misfit, one_fits ? Severity::notice : Severity::caution,
+        fmt::format("{:.0f} % of a mesh lies where the other goes on and yet fits nothing there{}",
+                    100 * misfit,
+                    one_fits ? "" : ": the parts may not overlap, or not as they were matched"));
     if (elsewhere && elsewhere->behind < tuning.close_margin)
         add(true, MessageCode::close_runner_up, Severity::caution,
             fmt::format("the part fits elsewhere nearly as well (score {:.3f} against {:.3f}; {:.0f} % of it "

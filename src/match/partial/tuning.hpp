@@ -120,6 +120,7 @@ struct ConfidenceTuning {
     /// 4 wrong maps of parts that do 0.22 to 0.49, 10 of 13 right ones below 0.2.
     double half_misfit = 0.25, misfit_width = 0.04, much_misfit = 0.2;
     double poor_score = 0.5, close_margin = 0.03;
+    double all_fits = 0.95;  ///< share of the area of a mesh that has partners, from which on all of it has
     double least_moved =
         0.05;  ///< share of the part that a runner-up takes elsewhere; below, it is the same map
     /// Mean confidence. Of parts matched to shapes of other classes it is 0.26 and less, of half an egg at

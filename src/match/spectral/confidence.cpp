@@ -58,12 +58,12 @@ Departure departure(const Level& whole, const Map& best, const Map& other) {
     const int size = whole.tuning.candidates.last_size;
     const double moved = MapDistance(whole.pair).share_beyond(best.maps, other.maps, tuning.moved);
     if (orientation(whole.pair, best.maps, size) * orientation(whole.pair, other.maps, size) < 0)
-        return {"mirrored: left and right exchanged", true};
+        return {"mirrored: left and right exchanged", 1};
     if (moved > tuning.turn_share)
-        return {fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved), true};
+        return {fmt::format("turned: {:.0f} % of the surface goes elsewhere", 100 * moved), moved};
     if (moved > tuning.part_share)
-        return {fmt::format("another part: {:.0f} % of the surface goes elsewhere", 100 * moved), false};
-    return {"a small shift along the surface", false};
+        return {fmt::format("another part: {:.0f} % of the surface goes elsewhere", 100 * moved), moved};
+    return {"a small shift along the surface", moved};
 }
 
 }  // namespace counterpart::spectral_match

@@ -18,7 +18,7 @@ Vector confidence(const Level& whole, const Polished& found);
 /// How a runner-up differs from the best map.
 struct Departure {
     std::string words;
-    bool as_a_whole = false;  ///< mirrored or turned: one of the two maps is wrong nearly everywhere
+    double moved = 0;  ///< share of the surface that it takes elsewhere; all where it is mirrored
 };
 Departure departure(const Level& whole, const Map& best, const Map& other);
 

@@ -51,7 +51,7 @@ void add_on_openness(const Level& whole, Messages& messages) {
                      source_is_open ? "source" : "target", source_is_open ? "target" : "source")});
 }
 
-void add_on_score(const Level& whole, const Polished& found, double trust, Messages& messages) {
+void add_on_score(const Level& whole, const Polished& found, Messages& messages) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
     const double score = found.best.rank();
     if (score < tuning.poor_score)
@@ -70,12 +70,12 @@ void add_on_score(const Level& whole, const Polished& found, double trust, Messa
     if (found.runners_up.empty()) return;
     const RunnerUp& next = found.runners_up.front();
     if (next.behind >= tuning.close_margin) return;
-    // Confidence tells where a runner-up goes elsewhere; of two maps that differ as a whole it cannot tell
-    // which.
+    // A runner-up that only moves a tail or an ear lowers the confidence there, which says enough.
     const Departure differs = departure(whole, found.best, next.map);
     messages.push_back(
         {MessageCode::close_runner_up,
-         differs.as_a_whole || trust < tuning.unsure ? Severity::caution : Severity::notice,
+         differs.moved > tuning.much_moved || score < tuning.doubtful_close_score ? Severity::caution
+                                                                                  : Severity::notice,
          fmt::format("the runner-up is nearly as good (score {:.3f} against {:.3f}; {}): inspect both, or "
                      "give landmarks",
                      score - next.behind, score, differs.words)});
@@ -125,7 +125,7 @@ Messages messages_on(const Preprocessed& mesh, Subject subject, Index fragments_
     return messages;
 }
 
-Messages messages_on(const Level& whole, const Polished& found, double trust) {
+Messages messages_on(const Level& whole, const Polished& found) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
     const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
     Messages messages = messages_on(source, Subject::source, tuning.many_components);
@@ -139,7 +139,7 @@ Messages messages_on(const Level& whole, const Polished& found, double trust) {
              fmt::format("the source has {} and the target {}: some parts may have no counterpart",
                          counted(source.n_components, "component", "components"), target.n_components)});
     add_on_openness(whole, messages);
-    add_on_score(whole, found, trust, messages);
+    add_on_score(whole, found, messages);
     return messages;
 }
 

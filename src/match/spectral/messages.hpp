@@ -15,7 +15,7 @@ namespace counterpart::spectral_match {
 std::vector<Message> messages_on(const Preprocessed& mesh, Subject subject, Index fragments);
 
 /// What was noticed in these two shapes, and what makes the match of them doubtful: defects of the inputs,
-/// symmetric shapes, a poor score, a close runner-up. `trust` is the mean confidence.
-std::vector<Message> messages_on(const Level& whole, const Polished& found, double trust);
+/// symmetric shapes, a poor score, a close runner-up.
+std::vector<Message> messages_on(const Level& whole, const Polished& found);
 
 }  // namespace counterpart::spectral_match

@@ -53,9 +53,8 @@ class Reading {
         result.score = found.best.rank();
         result.margin = found.runners_up.empty() ? std::numeric_limits<double>::infinity()
                                                  : found.runners_up.front().behind;
-        const Vector trust = confidence(whole_, found);
-        result.messages = messages_on(whole_, found, trust.mean());
-        result.confidence = lift(whole_.a.shape, trust);
+        result.messages = messages_on(whole_, found);
+        result.confidence = lift(whole_.a.shape, confidence(whole_, found));
         watch.lap("confidence");
         PairedMaps full = lifted(found.best, progress);
         result.target_from_source = {std::move(full.b_from_a), whole_.b.shape.n_full_vertices()};

@@ -19,7 +19,7 @@ namespace {
 constexpr double doubtful = 0.2;
 // Share of doubtful vertices worth a word, above which a map is worth a look, and above which it is not worth
 // using.
-constexpr double word_share = 0.005, look_share = 0.05, reject_share = 0.5;
+constexpr double word_share = 0.005, look_share = 0.1, reject_share = 0.5;
 
 // The middle of the largest connected region of these vertices.
 Eigen::RowVector3d middle_of(const std::vector<Index>& vertices, MeshView mesh) {

@@ -60,7 +60,8 @@ TEST(Doubts, FollowTheShareOfVerticesOfLittleConfidence) {
         Severity severity;
     };
     for (const Case& expected : {Case{4, Severity::notice},
-                                 {6, Severity::caution},
+                                 {9, Severity::notice},
+                                 {11, Severity::caution},
                                  {49, Severity::caution},
                                  {51, Severity::do_not_use},
                                  {100, Severity::do_not_use}}) {
