@@ -271,6 +271,7 @@ void add_match(CLI::App& program) {
     add_method(*command, *match, [&] { return add_frontiers_method(*match); });
     add_method(*command, *match, [&] { return add_spectral_method(*match, spectral); });
     add_method(*command, *match, [&] { return add_partial_method(*match, partial, spectral); });
+    add_method(*command, *match, [&] { return add_place_method(*match); });
     add_method(*command, *match, [&] { return add_nearest_method(*match); });
     add_method(*command, *match, [&] { return add_assignment_method(*match); });
     FileArguments& files = command->common.files;

@@ -64,7 +64,9 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                               const std::shared_ptr<SpectralArguments>& spectral,
                               const std::shared_ptr<PartialArguments>& partial) {
     return {"auto",
-            "exact if the connectivity is the same or nearly so, partial if a mesh is open, else spectral; "
+            "exact if the connectivity is the same or nearly so, place if the surfaces coincide, partial if "
+            "a mesh is open, "
+            "else spectral; "
             "reports the choice and the reason",
             [exact, spectral, partial](const MatchInput& input) {
                 if (exact->allow_differences) {

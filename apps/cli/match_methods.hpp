@@ -63,6 +63,7 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
                               const std::shared_ptr<PartialArguments>& partial);
 MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
 MethodCommand add_nearest_method(CLI::App& match);
+MethodCommand add_place_method(CLI::App& match);
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
                                  const std::shared_ptr<SpectralArguments>& shared);
 MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments);

@@ -8,6 +8,7 @@
 
 #include <charconv>
 #include <locale>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -139,7 +140,21 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
                     "The direction that both meshes face, as --up, which it needs")
         ->type_name("AXIS")
         ->group(group);
-    match.add_flag("--symmetric", arguments->options.symmetric, "Return the map that swaps left and right")
+    match
+        .add_option(
+            "--mirror", arguments->options.mirror,
+            "Whether the target may be the mirror image of what the source shows, as a left bone of a right "
+            "one: auto (tried where little fits, and taken if clearly better), never, always")
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, Mirror>{
+                {"auto", Mirror::automatic}, {"never", Mirror::never}, {"always", Mirror::always}},
+            CLI::ignore_case))
+        ->default_str("auto")
+        ->type_name("auto|never|always")
+        ->group(group);
+    match
+        .add_flag("--symmetric", arguments->options.symmetric,
+                  "The same as --mirror always: swap left and right")
         ->group(group);
     match.add_option("--basis-size", arguments->shape.basis_size, "Number of Laplace eigenfunctions")
         ->check(CLI::Range(30, 500))

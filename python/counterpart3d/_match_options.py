@@ -13,7 +13,7 @@ from . import _core
 from ._arrays import FloatArray, IntArray, floats, pairs
 from ._core import InvalidInput
 
-Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "nearest", "assignment"]
+Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment"]
 Pairing = Literal["closest", "mutual", "optimal"]
 Part = Literal["unknown", "source", "target", "both", "neither"]
 Direction = str | Any
@@ -69,6 +69,7 @@ def match_options(
     aligned: bool = False,
     up: Direction | None = None,
     facing: Direction | None = None,
+    mirror: str = "auto",
     symmetric: bool = False,
     part: Part = "unknown",
     same_scale: bool = False,
@@ -95,6 +96,7 @@ def match_options(
             facing,
             soft_landmarks=soft_landmarks,
             aligned=aligned,
+            mirror=mirror,
             symmetric=symmetric,
             n_alternatives=n_alternatives,
         ),

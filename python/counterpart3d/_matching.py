@@ -32,6 +32,7 @@ def match(
     aligned: bool = False,
     up: Direction | None = None,
     facing: Direction | None = None,
+    mirror: str = "auto",
     symmetric: bool = False,
     part: Part = "unknown",
     same_scale: bool = False,
@@ -55,10 +56,10 @@ def match(
         that spectral need not prepare it.
     method : str
         "auto" tries, in this order: the same connectivity (exact); nearly the same (what the meshes share, the gaps
-        filled); where a mesh is open, or `part` is given, partial; else spectral; where that cannot work, the nearest
-        vertices after a similarity alignment. Partners that 30 % or more of the connectivity shows are kept by partial
-        and spectral. The others go by name: "exact", "frontiers", "partial", "spectral",
-        "nearest", "assignment".
+        filled); vertices or surfaces that lie in the same place (place); where a mesh is open, or `part` is given,
+        partial; else spectral; where that cannot work, the nearest vertices after a similarity alignment. Partners
+        that 30 % or more of the connectivity shows lead partial and spectral, and are kept where that map scores no
+        less. The others go by name: "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment".
     initial : MapLike, optional
         A map that is roughly known: it is refined by eigenfunctions, instead of searching for one. With "auto" or
         "spectral"; no other option but `n_threads` and `progress` is then used.
@@ -76,8 +77,11 @@ def match(
     up, facing : str or array_like, (3,), optional
         Directions that are the same in both frames: "x", "y", "z", "-x", "-y", "-z" or a vector. `facing`
         needs `up`.
+    mirror : {"auto", "never", "always"}
+        Spectral: whether the target may be the mirror image of what the source shows, as a left bone of a right one.
+        "auto" tries it where little fits, and takes it where it is clearly better.
     symmetric : bool
-        Spectral: return the map that swaps left and right, on purpose.
+        The same as ``mirror="always"``: return the map that swaps left and right, on purpose.
     part : {"unknown", "source", "target", "both", "neither"}
         Partial: which mesh shows only a part of the other; both: parts that overlap; neither: whole surfaces, perhaps
         fused with themselves; unknown: seen from their boundaries.
@@ -135,6 +139,7 @@ def match(
         aligned=aligned,
         up=up,
         facing=facing,
+        mirror=mirror,
         symmetric=symmetric,
         part=part,
         same_scale=same_scale,

@@ -124,6 +124,7 @@ def match_spectral(
     aligned: bool = False,
     up: Direction | None = None,
     facing: Direction | None = None,
+    mirror: str = "auto",
     symmetric: bool = False,
     n_alternatives: int = 3,
     basis_size: int = 200,
@@ -138,7 +139,7 @@ def match_spectral(
     ----------
     source, target : MeshLike
         Prepared shapes (`SpectralShape`) save time where one mesh is matched with many.
-    landmarks, soft_landmarks, excluded, aligned, up, facing, symmetric, n_alternatives
+    landmarks, soft_landmarks, excluded, aligned, up, facing, mirror, symmetric, n_alternatives
         See `match`.
     basis_size, n_samples, seed
         See `SpectralShape`; not used for shapes that are prepared already.
@@ -160,6 +161,7 @@ def match_spectral(
         facing,
         soft_landmarks=soft_landmarks,
         aligned=aligned,
+        mirror=mirror,
         symmetric=symmetric,
         n_alternatives=n_alternatives,
         n_threads=n_threads,

@@ -15,17 +15,25 @@ namespace {
 
 MatchMethod method_from_name(const std::string& name) {
     if (name == "auto") return MatchMethod::automatic;
-    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial,
-                                     MatchMethod::spectral, MatchMethod::nearest, MatchMethod::assignment})
+    for (const MatchMethod method :
+         {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial, MatchMethod::spectral,
+          MatchMethod::place, MatchMethod::nearest, MatchMethod::assignment})
         if (name == to_string(method)) return method;
     throw InvalidInput("there is no method '" + name +
-                       "': auto, exact, frontiers, partial, spectral, nearest or assignment");
+                       "': auto, exact, frontiers, partial, spectral, place, nearest or assignment");
 }
 
 Part part_from_name(const std::string& name) {
     for (const Part part : {Part::unknown, Part::source, Part::target, Part::both, Part::neither})
         if (name == to_string(part)) return part;
     throw InvalidInput("part cannot be '" + name + "': unknown, source, target, both or neither");
+}
+
+Mirror mirror_from_name(const std::string& name) {
+    if (name == "auto") return Mirror::automatic;
+    if (name == "never") return Mirror::never;
+    if (name == "always") return Mirror::always;
+    throw InvalidInput("mirror cannot be '" + name + "': auto, never or always");
 }
 
 Pairing pairing_from_name(const std::string& name) {
@@ -76,6 +84,7 @@ void bind_spectral_options(nb::module_& module) {
         .def_rw("n_threads", &SpectralOptions::n_threads);
     bind_converted(options, "landmarks", &SpectralOptions::landmarks, pairs_of);
     bind_converted(options, "excluded", &SpectralOptions::excluded, pairs_of);
+    bind_converted(options, "mirror", &SpectralOptions::mirror, mirror_from_name);
     bind_converted(options, "up", &SpectralOptions::up, direction_of);
     bind_converted(options, "facing", &SpectralOptions::facing, direction_of);
 }

@@ -41,6 +41,7 @@ std::vector<DartPair> match_equal_components(MeshView source, MeshView target, c
 struct SharedPart {
     std::vector<Index> image;  // of the source vertices
     bool reversed = false, ambiguous = false;
+    double agreement = 0;
 };
 
 SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, const DartMap& b,
@@ -60,11 +61,12 @@ SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, 
 
     differences::Prediction prediction(source, target, match.reversed);
     const std::vector<Index> partner = differences::match_triangles(source, target, map);
-    map = differences::without_misplaced(a, source, target, map, partner, known, prediction);
+    differences::Verified found =
+        differences::verified(source_side, target_side, map, partner, known, prediction);
     report_progress(progress, 0.7);
-    map = differences::regrown(source_side, target_side, std::move(map), prediction,
+    map = differences::regrown(source_side, target_side, std::move(found.image), prediction,
                                [&] { report_progress(progress, 0.8); });
-    return {std::move(map), match.reversed, match.ambiguous};
+    return {std::move(map), match.reversed, match.ambiguous, found.agreement};
 }
 
 void list_unmatched(MeshView source, MeshView target, const std::vector<Index>& partner,
@@ -131,6 +133,7 @@ MeshDifferences find(MeshView source, MeshView target, const Progress& progress)
     MeshDifferences differences;
     differences.winding_reversed = shared.reversed;
     differences.is_ambiguous = shared.ambiguous;
+    differences.agreement = shared.agreement;
     differences.target_from_source = VertexMap(std::move(shared.image), target.n_vertices());
     const std::vector<Index> partner =
         differences::match_triangles(source, target, differences.target_from_source.image());

@@ -3,10 +3,13 @@
 #include "base/parallel.hpp"
 #include "match/exact/isomorphism.hpp"
 #include "match/exact/polygons.hpp"
+#include "match/place/same_places.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/weld.hpp>
+
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,7 +18,9 @@ namespace {
 
 using isomorphism::to_size;
 
-ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
+// `at_same_places`: vertices show the diagonals already.
+ExactResult by_connectivity(MeshView source, MeshView target, bool at_same_places,
+                            const ExactOptions& options) {
     std::string difference;
     ExactOptions triangles = options;
     if (source.polygons != nullptr && target.polygons != nullptr) {
@@ -33,12 +38,51 @@ ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions&
         return std::move(result);
     }
     if (difference.empty()) difference = std::move(result.difference);
-    if (result.path == ExactPath::surface && !result.mirrored) {
+    if (result.path == ExactPath::surface && !result.mirrored && !at_same_places) {
         triangles.progress = part_of(triangles.progress, 0.6, 1);  // a match that fails has not reported more
-        if (auto recut = exact::match_recut(source, target, triangles)) return std::move(*recut);
+        ExactResult recut = exact::match_recut(source, target, triangles);
+        if (recut.identical) return recut;
+        if (!recut.difference.empty()) difference += "; " + recut.difference;
     }
     result.difference = std::move(difference);
     return std::move(result);
+}
+
+ExactResult by_place(MeshView source, MeshView target, const place::SamePlaces& places) {
+    ExactResult result;
+    result.identical = true;
+    result.target_from_source = places.target_from_source;
+    result.target_corner_from_source = place::corners_by_vertices(source, target, places.target_from_source);
+    result.winding_reversed = places.is_reversed;
+    result.reversed_triangles = places.is_reversed ? source.n_triangles() : 0;
+    const Index n_cut = source.n_triangles() - places.n_same_faces;
+    result.messages.push_back(
+        {MessageCode::same_places, Severity::notice, "every vertex lies at the place of its partner"});
+    if (n_cut > 0)
+        result.messages.push_back(
+            {MessageCode::recut_polygons, Severity::notice,
+             fmt::format("{} of {} triangles are cut otherwise in the target", n_cut, source.n_triangles())});
+    return result;
+}
+
+// Vertices that lie at the same places need no search, whatever the connectivity allows besides.
+ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
+    const std::optional<place::SamePlaces> places =
+        source.n_triangles() == target.n_triangles() ? place::find_same_places(source, target) : std::nullopt;
+    if (!places) return by_connectivity(source, target, false, options);
+    // Few other triangles were edited; many, or those inside polygons, are cut otherwise.
+    const bool have_polygons = source.polygons != nullptr || target.polygons != nullptr;
+    const bool is_same = places->n_same_faces == source.n_triangles() ||
+                         (have_polygons ? place::keeps_polygons(source, target, places->target_from_source)
+                                        : 2 * places->n_same_faces < source.n_triangles());
+    try {
+        ExactResult result = by_connectivity(source, target, true, options);
+        if (!is_same || (result.identical && result.target_from_source == places->target_from_source))
+            return result;
+    } catch (const NumericalError&) {  // a non-manifold mesh that fits in too many ways
+        if (!is_same) throw;
+    }
+    return by_place(source, target, *places);
 }
 
 // The map between the welded meshes taken back to all duplicates, corner by corner: so each gets the

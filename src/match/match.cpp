@@ -62,11 +62,16 @@ class Matching {
         sure_ = std::move(decision.sure);
         result_.exact = std::move(decision.exact);
         result_.differences = std::move(decision.differences);
+        result_.place = std::move(decision.place);
+        if (!sure_.empty()) leading_pairs_ = differences::spread_pairs(sure_, source_, n_leading_pairs);
         add(choice::unused_options(options_, decision.method));
         switch (decision.method) {
             case MatchMethod::exact:
                 connectivity(decision.may_be_part);
                 return finished(MatchMethod::exact);
+            case MatchMethod::place:
+                place();
+                return finished(MatchMethod::place);
             case MatchMethod::partial:
                 if (partial_or_why_not()) return finished(MatchMethod::partial);
                 [[fallthrough]];
@@ -93,6 +98,9 @@ class Matching {
                 break;
             case MatchMethod::partial:
                 partial(0);
+                break;
+            case MatchMethod::place:
+                place();
                 break;
             case MatchMethod::nearest:
                 nearest(NearestAlignment::centroids, 0);
@@ -149,19 +157,29 @@ class Matching {
         add(shared.messages);
     }
 
-    // Of what connectivity is sure of.
-    std::vector<std::pair<Index, Index>> leading_pairs() const {
-        return differences::spread_pairs(sure_, source_, n_leading_pairs);
+    void place() {
+        if (!result_.place)
+            result_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
+        result_.target_from_source = result_.place->target_from_source;
+        result_.confidence = result_.place->confidence;
+        add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
+        watch_.lap("place");
     }
 
-    template <class Found>
-    void keep_sure(Found& found) {
-        if (sure_.empty()) return;
-        differences::keep(sure_, found.target_from_source, found.source_from_target, found.confidence);
+    // The better of the map without what connectivity is sure of and the one that its pairs lead.
+    template <class Found, class Match>
+    Found better_with_sure(const Match& match_with) {
+        Found free = match_with(false);
+        if (sure_.empty()) return free;
+        Found led = match_with(true);
+        if (!(led.score >= free.score)) return free;
+        differences::keep(sure_, result_.differences->agreement, led.target_from_source,
+                          led.source_from_target, led.confidence);
         const Index n_open = static_cast<Index>(std::count(sure_.begin(), sure_.end(), VertexMap::unmatched));
         reason_ +=
             fmt::format("; connectivity shows the partners of {} of the {} source vertices: these are kept",
                         source_.n_vertices() - n_open, source_.n_vertices());
+        return led;
     }
 
     // Vertices without a partner follow those around them, but for what a part lacks; their confidence stays
@@ -200,10 +218,12 @@ class Matching {
         SpectralShapeOptions shape = options_.spectral_shape;
         shape.n_threads = options_.n_threads;
         options.progress = part_of(progress_, begin, 1);
-        if (!sure_.empty()) options.landmarks = leading_pairs();
-        result_.spectral = options_.prepared_shape ? match_prepared(options, shape)
-                                                   : match_spectral(source_, target_, options, shape);
-        keep_sure(*result_.spectral);
+        result_.spectral = better_with_sure<SpectralResult>([&](bool led) {
+            SpectralOptions all = options;
+            if (led) all.landmarks = leading_pairs_;
+            return options_.prepared_shape ? match_prepared(all, shape)
+                                           : match_spectral(source_, target_, all, shape);
+        });
         result_.target_from_source = result_.spectral->target_from_source;
         result_.confidence = result_.spectral->confidence;
         add(result_.spectral->messages);
@@ -238,9 +258,11 @@ class Matching {
     void partial(double begin) {
         PartialOptions options = choice::partial_options(options_);
         options.progress = part_of(progress_, begin, 1);
-        if (!sure_.empty()) options.landmarks = leading_pairs();
-        result_.partial = match_partial(source_, target_, options);
-        keep_sure(*result_.partial);
+        result_.partial = better_with_sure<PartialResult>([&](bool led) {
+            PartialOptions all = options;
+            if (led) all.landmarks = leading_pairs_;
+            return match_partial(source_, target_, all);
+        });
         result_.target_from_source = result_.partial->target_from_source;
         result_.confidence = result_.partial->confidence;
         add(result_.partial->messages);
@@ -326,6 +348,7 @@ class Matching {
     Stopwatch watch_;
     std::string reason_;
     std::vector<Index> sure_;  // by connectivity, by source vertex; empty if that says too little
+    std::vector<std::pair<Index, Index>> leading_pairs_;  // some of these, spread
     MatchResult result_;
 };
 
@@ -343,6 +366,8 @@ std::string to_string(MatchMethod method) {
             return "spectral";
         case MatchMethod::partial:
             return "partial";
+        case MatchMethod::place:
+            return "place";
         case MatchMethod::nearest:
             return "nearest";
         case MatchMethod::assignment:

@@ -38,6 +38,9 @@ struct MeshDifferences {
     Index n_matched_triangles = 0;
     Index largest_region = 0;       ///< matched triangles in the largest region that edges connect
     bool winding_reversed = false;  ///< the target is wound against the source
+    /// In [0, 1]: how well edge lengths confirm what is shared. 1: they are equal but for a common factor; 0:
+    /// they deviate as much as where a mesh is laid on itself at random.
+    double agreement = 0;
     /// Another way to match the meshes had nearly as much evidence: then every vertex is uncertain.
     bool is_ambiguous = false;
     std::string summary;            ///< one sentence
@@ -49,7 +52,8 @@ struct MeshDifferences {
 /// Components that are equal in both are matched as by match_exact. In the rest, regions grow from pairs of
 /// half-edges whose color (valences within 1 to 8 edges) is unique in both meshes, by evidence: triangles
 /// that propose a pair of vertices, weighted by how well they agree in shape, and equal colors. A region is
-/// kept if it agrees in place with those around it, or far beyond chance with itself. Then unmatched vertices
+/// kept if it agrees in place with those around it, or far beyond what chance gives on these meshes with
+/// itself, in valences and in edge lengths, which have a veto. Then unmatched vertices
 /// take the vertex that lies where their matched neighbors expect it. So a local edit costs its surroundings
 /// at most, and unrelated meshes share nothing. No pose is assumed. O(F log F); the part that differs costs
 /// most. Throws InvalidInput for invalid meshes or options, and Canceled.

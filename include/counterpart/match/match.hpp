@@ -7,6 +7,7 @@
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/frontiers.hpp>
 #include <counterpart/match/partial.hpp>
+#include <counterpart/match/place.hpp>
 #include <counterpart/match/spectral.hpp>
 
 #include <functional>
@@ -17,11 +18,12 @@
 namespace counterpart {
 
 enum class MatchMethod {
-    automatic,   ///< the first of exact, partial, spectral, nearest that can answer: see match
+    automatic,   ///< the first of exact, place, partial, spectral, nearest that can answer: see match
     exact,       ///< same connectivity; else the part that the meshes share (match_exact, find_differences)
     frontiers,   ///< same connectivity, by breadth-first frontiers (match_frontiers)
     spectral,    ///< any two triangulations of alike shapes (match_spectral)
     partial,     ///< parts, surfaces with holes or fused with themselves (match_partial)
+    place,       ///< what lies in the same place, as the meshes are (match_place)
     nearest,     ///< closest vertices after the centers of mass are aligned (match_nearest)
     assignment,  ///< one to one with the least total distance (match_assignment)
 };
@@ -65,6 +67,7 @@ struct MatchResult {
     std::optional<ExactResult> exact{};
     std::optional<MeshDifferences> differences{};
     std::optional<FrontiersResult> frontiers{};
+    std::optional<PlaceResult> place{};
     std::optional<SpectralResult> spectral{};
     std::optional<PartialResult> partial{};
 };
@@ -75,14 +78,16 @@ struct MatchResult {
 ///   2. nearly the same, or a part of it (see min_shared): the partial isomorphism (find_differences);
 ///      vertices between follow those around them over the surface (complete_map), and what a part lacks
 ///      gets -1;
-///   3. where a mesh is open, or said to be a part: the partial map (match_partial), -1 for what has no
+///   3. vertices, or else both surfaces, that lie in the same place: what lies there (match_place);
+///   4. where a mesh is open, or said to be a part: the partial map (match_partial), -1 for what has no
 ///      partner;
-///   4. otherwise the spectral map (match_spectral), which matches every vertex; in 3 and 4, if 30 % or more
-///      of the connectivity agrees, the partners that it shows are kept and lead the method;
-///   5. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
+///   5. otherwise the spectral map (match_spectral), which matches every vertex; in 4 and 5, if 30 % or more
+///      of the connectivity agrees, and distances between these pairs do, a second map is led by them: where
+///      its score is not lower it is taken, and the partners that connectivity shows are kept;
+///   6. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
 ///      similarity alignment.
 ///
-/// Asking for the mirrored map (spectral.symmetric) or giving landmarks skips 1 and 2. Throws InvalidInput
+/// Asking for the mirrored map (spectral.symmetric) or giving landmarks skips 1 to 3. Throws InvalidInput
 /// for invalid meshes or options (a method's own are checked when it runs), Canceled; a method that is asked
 /// for by name also throws what it throws itself.
 MatchResult match(MeshView source, MeshView target, const MatchOptions& options = {});

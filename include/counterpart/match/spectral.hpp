@@ -62,6 +62,14 @@ class SpectralShape {
     std::shared_ptr<const spectral_match::PreparedShape> shape_;
 };
 
+/// Whether the target may be the mirror image of what the source shows: a left bone and a right one.
+enum class Mirror {
+    automatic,  ///< both readings are tried where the first does not fit well; the better one is taken if
+                ///< clear
+    never,      ///< the map keeps the orientation
+    always,     ///< the map reverses the orientation: left to right on a symmetric body
+};
+
 struct SpectralOptions {
     /// Known pairs (source vertex, target vertex), from 0; one on a limb that was taken for another one
     /// mostly mends the whole map. They hold exactly in target_from_source, and in source_from_target where
@@ -76,7 +84,8 @@ struct SpectralOptions {
     bool aligned = false;
     /// Directions that are the same in both frames, of any length; zero = unknown. `facing` needs `up`.
     Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();
-    bool symmetric = false;  ///< return the orientation-reversing map on purpose: left to right
+    Mirror mirror = Mirror::automatic;
+    bool symmetric = false;  ///< the same as Mirror::always
     /// A map from source to target vertices (-1 = unmatched) to be refined instead of searching one: what was
     /// drawn by hand, composed of other maps, or found before. Of the given map and what refinement makes of
     /// it the one with the better score is returned.
@@ -86,6 +95,10 @@ struct SpectralOptions {
     /// Called from the calling thread a few times a second, while the work runs on others.
     Progress progress{};
 };
+
+inline bool is_mirror_asked(const SpectralOptions& options) {
+    return options.symmetric || options.mirror == Mirror::always;
+}
 
 /// A runner-up.
 struct SpectralAlternative {
@@ -101,6 +114,8 @@ struct SpectralResult {
     Vector confidence;
     double score = 0;   ///< of the best map (equation 4), larger is better: 1.5 = the same shape, bent
     double margin = 0;  ///< over the best runner-up's score; infinite if there is none
+    /// The map reverses the orientation: the target is read as a mirror image.
+    bool mirrored = false;
     std::vector<SpectralAlternative> alternatives;  ///< best first
     std::vector<Message> messages;                  ///< what was noticed and what may be wrong
     std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/spectral.md

@@ -5,9 +5,12 @@
 #include "base/parallel.hpp"
 #include "match/choice/requests.hpp"
 #include "match/choice/unused_options.hpp"
+#include "match/differences/lengths_fit.hpp"
 #include "match/differences/sure_pairs.hpp"
 #include "match/partial/cleaned.hpp"
 #include "match/partial/roles.hpp"
+#include "match/place/coincidence.hpp"
+#include "match/place/same_places.hpp"
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/requests.hpp"
 
@@ -38,12 +41,14 @@ class Deciding {
 
     Decision run() {
         if (is_for_spectral(options_))
-            reason() = options_.spectral.symmetric ? "the mirrored map was asked for"
-                                                   : "a map is given to be refined";
+            reason() = is_mirror_asked(options_.spectral) ? "the mirrored map was asked for"
+                                                          : "a map is given to be refined";
         else if (has_landmarks(options_))
             reason() = "landmarks are given";
         else if (by_connectivity())
             return taken(MatchMethod::exact);
+        else if (is_in_place())
+            return taken(MatchMethod::place);
         if (is_partial() && is_suitable([&] { require_suitable_for_partial(); }))
             return taken(MatchMethod::partial);
         if (is_suitable([&] { require_suitable_for_spectral(); })) return taken(MatchMethod::spectral);
@@ -63,7 +68,7 @@ class Deciding {
         try {
             if (is_exact()) {
                 reason() = "the meshes have the same connectivity";
-                return agrees(decision_.exact->target_from_source);
+                return fits(*decision_.exact) && agrees(decision_.exact->target_from_source);
             }
             reason() = "the connectivity differs: " + decision_.exact->difference;
         } catch (const NumericalError& error) {  // a non-manifold mesh that fits in too many ways
@@ -72,6 +77,8 @@ class Deciding {
         const auto [fewer, more] = std::minmax({source_.n_vertices(), target_.n_vertices()});
         decision_.may_be_part = shows_a_part();
         if (!decision_.may_be_part && fewer < least_min_shared * more) return false;
+        same_places_ = place::find_same_places(source_, target_).has_value();
+        if (same_places_) return false;  // whatever their faces
         const MeshDifferences& shared = find_shared();
         const auto [less_shared, more_shared] = std::minmax({shared.source_share, shared.target_share});
         // What a part lacks cannot be shared.
@@ -79,7 +86,7 @@ class Deciding {
         if (share < options_.min_shared) {
             // What a person says goes before what connectivity shows.
             if (share >= least_kept_share && spectral_options(options_).excluded.empty())
-                decision_.sure = differences::sure_images(shared);
+                keep_if_sure(shared);
             return false;
         }
         reason() = less_shared < options_.min_shared
@@ -87,6 +94,33 @@ class Deciding {
                        : "the meshes have nearly the same connectivity: ";
         reason() += shared.summary;
         return agrees(shared.target_from_source);
+    }
+
+    // Of several isomorphisms the one that geometry chose may fit no better than chance.
+    bool fits(const ExactResult& exact) {
+        const bool is_one = exact.automorphisms.number == 1;
+        if (is_one || differences::lengths_fit(exact.target_from_source, source_, target_)) return true;
+        reason() += ", but no way to lay one over the other keeps the lengths of its edges";
+        return false;
+    }
+
+    // What connectivity is sure of may lead the other methods, if the distances between its pairs agree.
+    void keep_if_sure(const MeshDifferences& shared) {
+        constexpr Index n_compared = 100;
+        std::vector<Index> sure = differences::sure_images(shared);
+        const auto pairs = differences::spread_pairs(sure, source_, n_compared);
+        if (differences::distances_agree(pairs, source_, target_)) decision_.sure = std::move(sure);
+    }
+
+    // Vertices at the same places, or both surfaces as far as either reaches.
+    bool is_in_place() {
+        if (!same_places_ && !is_suitable([&] { same_places_ = place::coincide(source_, target_); }))
+            return false;
+        if (!same_places_) return false;
+        decision_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
+        watch_.lap("place");
+        reason() += "; " + decision_.place->sentence;
+        return agrees(decision_.place->target_from_source);
     }
 
     bool agrees(const VertexMap& map) {
@@ -159,6 +193,7 @@ class Deciding {
     const Progress& progress_;
     Stopwatch& watch_;
     Decision decision_;
+    bool same_places_ = false;  // of vertices, or of both surfaces
 };
 
 }  // namespace

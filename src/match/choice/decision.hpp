@@ -17,6 +17,7 @@ struct Decision {
     std::string reason;
     std::optional<ExactResult> exact{};            ///< what was found on the way
     std::optional<MeshDifferences> differences{};  ///< likewise
+    std::optional<PlaceResult> place{};            ///< likewise
     /// One mesh may show a part of the other: then what has no partner may be missing there.
     bool may_be_part = false;
     std::vector<Index> sure{};  ///< by connectivity, by source vertex; empty if that says too little

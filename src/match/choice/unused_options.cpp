@@ -32,10 +32,11 @@ void refuse_unfollowed(const MatchOptions& options, MatchMethod method) {
     };
     const Methods followed = {MatchMethod::spectral, MatchMethod::partial};
     refuse(has_landmarks(options), "landmarks", followed);
-    refuse(spectral.symmetric, "symmetric", {MatchMethod::spectral});
+    refuse(is_mirror_asked(spectral), "the mirrored map", {MatchMethod::spectral});
     refuse(spectral.initial.has_value(), "initial", {MatchMethod::spectral});
-    // Under automatic the connectivity's map is taken only where it agrees.
-    const bool is_checked = options.method == MatchMethod::automatic && method == MatchMethod::exact;
+    // Under automatic the maps of connectivity and of place are taken only where they agree.
+    const bool is_checked =
+        options.method == MatchMethod::automatic && is_in(method, {MatchMethod::exact, MatchMethod::place});
     if (is_checked) return;
     refuse(!spectral.excluded.empty() || !partial.excluded.empty(), "excluded", followed);
     refuse(spectral.aligned || partial.aligned, "aligned", followed);
@@ -46,7 +47,7 @@ void refuse_unfollowed(const MatchOptions& options, MatchMethod method) {
 }  // namespace
 
 bool is_for_spectral(const MatchOptions& options) {
-    return options.spectral.symmetric || options.spectral.initial.has_value();
+    return is_mirror_asked(options.spectral) || options.spectral.initial.has_value();
 }
 
 bool has_landmarks(const MatchOptions& options) {

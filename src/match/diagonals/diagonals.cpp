@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace counterpart::diagonals {
 
 using namespace isomorphism;
@@ -26,10 +28,7 @@ bool is_edit(const DartMap& a, const DartMap& b) {
 class Search {
   public:
     Search(const Side& source, const Side& target, const Progress& progress)
-        : a_(source), b_(target), walk_(source, target), progress_(progress) {
-        // A walk through all of the mesh from a few edges, and some steps from each of the others.
-        max_steps_ = 40 * to_size(source.map.n_triangles()) + 100'000;
-    }
+        : a_(source), b_(target), walk_(source, target), progress_(progress) {}
 
     std::optional<std::vector<CutQuad>> run(unsigned parity) {
         std::vector<CutQuad> quads;
@@ -43,11 +42,14 @@ class Search {
         return quads;
     }
 
+    /// Triangles of the walk that got farthest.
+    std::size_t farthest() const { return farthest_; }
+
   private:
     struct Start {
         Dart f, g;
         Index component;  // of the target
-        double mismatch, offset;
+        double mismatch = 0, offset = 0;
     };
 
     bool match_component(Index component, unsigned parity, std::vector<char>& taken) {
@@ -58,10 +60,9 @@ class Search {
                     collect_starts(f, j, parity, starts);
             if (const Start* best = best_of(starts)) {
                 taken[to_size(best->component)] = 1;
-                walk_.run(best->f, best->g, to_size(a_.map.n_triangles()));
+                walk_.run(best->f, best->g, whole());
                 return true;
             }
-            if (exhausted()) return false;
         }
         return false;
     }
@@ -86,58 +87,72 @@ class Search {
         return {sharpest, next(sharpest, 1), next(sharpest, 2)};
     }
 
-    // Those from which a few steps meet no contradiction.
-    void collect_starts(Dart f, Index component, unsigned parity, std::vector<Start>& starts) {
-        constexpr std::size_t few = 48;
+    void collect_starts(Dart f, Index component, unsigned parity, std::vector<Start>& starts) const {
         const bool is_border = a_.map.across(f) == no_dart;
         const Index begin = b_.map.component_begin[to_size(component)];
-        for (Index t = begin; t < begin + b_.map.component_size(component) && !exhausted(); ++t) {
+        for (Index t = begin; t < begin + b_.map.component_size(component); ++t) {
             for (int c = 0; c < 3; ++c) {
                 const Dart g = make_dart(t, c, b_.map.parity(make_dart(t, c)) ^ parity);
-                if ((b_.map.across(g) == no_dart) != is_border) continue;
-                if (walk_.run(f, g, few) != WalkEnd::contradiction)
-                    starts.push_back({f, g, component, walk_.mean_mismatch(), walk_.mean_squared_offset()});
-                walk_.take_back();
+                if ((b_.map.across(g) == no_dart) == is_border) starts.push_back({f, g, component});
             }
         }
     }
 
-    // The complete one of least mismatch; among equals the one that lies closest.
+    // A few steps from all of them; then more from those that fit best, until few are left for the whole way.
+    // Of the complete ones that of least mismatch; among equals the one that lies closest.
     const Start* best_of(std::vector<Start>& starts) {
-        constexpr std::size_t max_complete = 16;
-        constexpr double rounding = 1e-12;
-        const auto is_better = [](const Start& p, const Start& q) {
-            if (std::abs(p.mismatch - q.mismatch) > 0.01 * std::min(p.mismatch, q.mismatch) + rounding)
-                return p.mismatch < q.mismatch;
-            return p.offset < q.offset;
-        };
-        std::stable_sort(starts.begin(), starts.end(), [&](const Start& p, const Start& q) {
-            return std::pair(std::llround(p.mismatch / 1e-6), p.offset) <
-                   std::pair(std::llround(q.mismatch / 1e-6), q.offset);
-        });
+        constexpr std::size_t first_steps = 12, growth = 4, share = 8, max_complete = 16;
+        for (std::size_t n_steps = first_steps; starts.size() > max_complete; n_steps *= growth) {
+            const bool is_last = n_steps >= whole();
+            std::erase_if(starts, [&](Start& start) { return !goes(start, std::min(n_steps, whole())); });
+            sort_by_fit(starts);
+            const std::size_t fewer = is_last ? max_complete : std::max(starts.size() / share, max_complete);
+            if (starts.size() > fewer) starts.resize(fewer);
+        }
+        sort_by_fit(starts);
         const Start* best = nullptr;
-        std::size_t n_complete = 0;
         for (Start& start : starts) {
-            if (n_complete == max_complete || exhausted()) break;
-            const bool complete =
-                walk_.run(start.f, start.g, to_size(a_.map.n_triangles())) == WalkEnd::complete;
-            start.mismatch = walk_.mean_mismatch();
-            start.offset = walk_.mean_squared_offset();
-            walk_.take_back();
-            if (!complete) continue;
-            ++n_complete;
-            if (best == nullptr || is_better(start, *best)) best = &start;
+            if (best != nullptr && start.mismatch > growth * best->mismatch + rounding) break;
+            if (goes(start, whole() + 1) && walk_.n_triangles() >= to_size(size_of(start)) &&
+                (best == nullptr || is_better(start, *best)))
+                best = &start;
         }
         return best;
     }
 
-    bool exhausted() const { return walk_.total_steps() > max_steps_; }
+    bool goes(Start& start, std::size_t n_steps) {
+        progress_check();
+        const WalkEnd end = walk_.run(start.f, start.g, n_steps);
+        farthest_ = std::max(farthest_, walk_.n_triangles());
+        start.mismatch = walk_.mean_mismatch();
+        start.offset = walk_.mean_squared_offset();
+        return end != WalkEnd::contradiction;
+    }
 
+    static void sort_by_fit(std::vector<Start>& starts) {
+        std::stable_sort(starts.begin(), starts.end(), [&](const Start& p, const Start& q) {
+            return std::pair(std::llround(p.mismatch / 1e-6), p.offset) <
+                   std::pair(std::llround(q.mismatch / 1e-6), q.offset);
+        });
+    }
+    static bool is_better(const Start& p, const Start& q) {
+        if (std::abs(p.mismatch - q.mismatch) > 0.01 * std::min(p.mismatch, q.mismatch) + rounding)
+            return p.mismatch < q.mismatch;
+        return p.offset < q.offset;
+    }
+
+    Index size_of(const Start& start) const { return b_.map.component_size(start.component); }
+    std::size_t whole() const { return to_size(a_.map.n_triangles()) + 1; }
+    void progress_check() {
+        if (++n_walks_ % 4096 == 0) report_progress(progress_, 0);
+    }
+
+    static constexpr double rounding = 1e-12;
     const Side& a_;
     const Side& b_;
     Walk walk_;
     const Progress& progress_;
-    std::size_t max_steps_;
+    std::size_t farthest_ = 0, n_walks_ = 0;
 };
 
 // Triangles that are in no quad first.
@@ -182,18 +197,23 @@ WithQuads with_quads(MeshView mesh, const std::vector<std::array<Index, 2>>& qua
 
 }  // namespace
 
-std::optional<Recut> find_recut_quads(MeshView source, MeshView target, const Progress& progress) {
-    if (source.n_triangles() != target.n_triangles()) return std::nullopt;
+RecutSearch find_recut_quads(MeshView source, MeshView target, const Progress& progress) {
+    if (source.n_triangles() != target.n_triangles()) return {};
     Side a(source), b(target);
     if (a.map.n_vertices() != b.map.n_vertices() || a.map.n_components() != b.map.n_components() ||
-        a.map.boundary_edges != b.map.boundary_edges || !a.is_manifold() || !b.is_manifold())
-        return std::nullopt;
+        a.map.boundary_edges != b.map.boundary_edges)
+        return {};
+    if (!a.is_manifold() || !b.is_manifold())
+        return {{}, "other diagonals of quads are not looked for, as the meshes are not manifold"};
     const bool have_polygons = source.polygons != nullptr || target.polygons != nullptr;
-    if (!have_polygons && is_edit(a.map, b.map)) return std::nullopt;
+    if (!have_polygons && is_edit(a.map, b.map)) return {};
     a.find_diagonals(!have_polygons);
     b.find_diagonals(!have_polygons);
+    std::size_t farthest = 0;
     for (const unsigned parity : {0U, 1U}) {
-        const auto quads = Search(a, b, progress).run(parity);
+        Search search(a, b, progress);
+        const auto quads = search.run(parity);
+        farthest = std::max(farthest, search.farthest());
         if (!quads) continue;
         std::vector<std::array<Index, 2>> ours, theirs;
         const auto named = [](const Side& side, const std::array<Index, 2>& pair) {
@@ -204,9 +224,14 @@ std::optional<Recut> find_recut_quads(MeshView source, MeshView target, const Pr
             ours.push_back(named(a, quad.source));
             theirs.push_back(named(b, quad.target));
         }
-        return Recut{with_quads(source, ours), with_quads(target, theirs), static_cast<Index>(ours.size())};
+        return {Recut{with_quads(source, ours), with_quads(target, theirs), static_cast<Index>(ours.size())},
+                {}};
     }
-    return std::nullopt;
+    return {
+        {},
+        fmt::format("nor do only the diagonals of quads differ: of all ways to lay one mesh over the other, "
+                    "the one that gets farthest ends after {} of {} triangles",
+                    farthest, source.n_triangles())};
 }
 
 }  // namespace counterpart::diagonals

@@ -8,6 +8,7 @@
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace counterpart::diagonals {
@@ -22,6 +23,11 @@ struct Recut {
     Index n_quads = 0;
 };
 
+struct RecutSearch {
+    std::optional<Recut> found;
+    std::string why_not;  ///< the end of a sentence; empty where the meshes were not compared
+};
+
 /// Both meshes with the quads that one cuts along one diagonal and the other along the other; nothing if they
 /// differ otherwise, or not at all. The caller checks that what is found is an isomorphism.
 ///
@@ -30,7 +36,7 @@ struct Recut {
 /// neighborhoods are equal are not compared: they were edited, not cut anew. Nor are non-manifold meshes.
 ///
 /// A walk begins at an edge that is no diagonal: at a border, or the sharpest one of a component. It is tried
-/// from every edge of the target, a few steps from most; about O(F), and nothing once that is exceeded much.
-std::optional<Recut> find_recut_quads(MeshView source, MeshView target, const Progress& progress);
+/// from every edge of the target, a few steps from most, the whole way from at most 16: about O(F).
+RecutSearch find_recut_quads(MeshView source, MeshView target, const Progress& progress);
 
 }  // namespace counterpart::diagonals

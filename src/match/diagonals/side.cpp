@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/diagonals/side.hpp"
 
+#include <numeric>
+
 #include <Eigen/Geometry>
 
 namespace counterpart::diagonals {
@@ -14,6 +16,13 @@ Side::Side(MeshView mesh_of_side) : mesh(mesh_of_side), map(make_dart_map(mesh_o
         for (int c = 0; c < 3; ++c)
             sum += (at(map.origin(make_dart(t, c))) - at(map.origin(next(make_dart(t, c))))).norm();
     scale = sum > 0 ? sum / (3.0 * map.n_triangles()) : 1;
+    corner_begin.assign(to_size(map.n_vertices()) + 1, 0);
+    for (const Index v : map.corner) ++corner_begin[to_size(v) + 1];
+    std::partial_sum(corner_begin.begin(), corner_begin.end(), corner_begin.begin());
+    corners.resize(map.corner.size());
+    std::vector<std::size_t> place(corner_begin.begin(), corner_begin.end() - 1);
+    for (Index t = 0; t < map.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c) corners[place[to_size(map.origin(make_dart(t, c)))]++] = make_dart(t, c);
 }
 
 Eigen::RowVector3d Side::normal(Index t) const {

@@ -4,6 +4,7 @@
 
 #include "match/isomorphism/dart_map.hpp"
 
+#include <span>
 #include <vector>
 
 namespace counterpart::diagonals {
@@ -16,7 +17,9 @@ struct Side {
     isomorphism::DartMap map;
     /// Of each half-edge of the map: whether it may cut a quad in two. Empty: no one is known to.
     std::vector<char> may_cut;
-    double scale = 1;  ///< mean length of an edge
+    double scale = 1;                        ///< mean length of an edge
+    std::vector<isomorphism::Dart> corners;  ///< by vertex
+    std::vector<std::size_t> corner_begin;   ///< where those of each vertex begin; one more at the end
 
     Eigen::RowVector3d at(Index v) const {
         return mesh.vertices.row(map.input_vertex[static_cast<std::size_t>(v)]);
@@ -24,6 +27,11 @@ struct Side {
     /// Of length 1, or 0 where the triangle has no area.
     Eigen::RowVector3d normal(Index t) const;
     bool is_manifold() const { return map.non_manifold_edges == 0 && map.non_manifold_vertices == 0; }
+    /// The darts of direction 0 that leave it.
+    std::span<const isomorphism::Dart> corners_at(Index v) const {
+        const auto first = corner_begin[static_cast<std::size_t>(v)];
+        return std::span(corners).subspan(first, corner_begin[static_cast<std::size_t>(v) + 1] - first);
+    }
     /// Fills may_cut: edges inside polygons of a mesh that has some, of another one `by_shape` if asked to.
     void find_diagonals(bool by_shape);
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace counterpart::differences {
 
@@ -47,9 +48,23 @@ struct DifferenceTuning {
     // ---- verification ----
     /// Bits beyond those that choose one of all placements.
     double significance = 10;
-    /// Logarithm of a ratio of lengths, median of a region, at which they hardly confirm what its valences
-    /// say: 0.01 to 0.1 in right regions of cut bodies, 0.12 to 0.6 in wrong ones. Tried: 0.05 to 0.15.
-    double length_tolerance = 0.1;
+    /// Deviation of lengths (see length_deviation) up to which they confirm what valences say, where chance
+    /// matches nothing: 0.01 to 0.1 in right regions of cut bodies, 0.12 to 0.6 in wrong ones. Where chance
+    /// does, this share of its own deviation is the most.
+    double length_limit = 0.12, chance_limit = 0.5;
+    /// Deviation that is rounding: meshes that are the same in shape, too.
+    double length_rounding = 1e-4;
+    /// Share of chance's pairs whose surroundings agree from which a mesh counts as regular: 0.01 to 0.02 on
+    /// scanned faces, 0.05 to 0.25 on remeshed bodies, 0.2 of marching cubes, all of grids.
+    double regular = 0.02;
+    std::size_t chance_trials = 400;
+    /// Regions that are grown by chance, and how large one is that has no end.
+    std::size_t chance_regions = 16, chance_triangles = 1000;
+    /// Times what regions say that are grown by chance, beyond which valences alone are believed.
+    double beyond_chance = 2;
+    std::uint64_t chance_seed = 1;
+    /// Bits that the lengths around a vertex say for each halving of the deviation, and at most.
+    double bits_per_halving = 0.5, max_length_bits = 1.5;
     /// Rings in which anchors are looked for, and how many are enough, and too few.
     int rings = 4;
     std::size_t enough_anchors = 12, min_anchors = 4;

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "match/differences/verification.hpp"
 
-#include "match/differences/growth.hpp"
+#include "match/differences/chance.hpp"
 #include "match/differences/triangle_pairs.hpp"
 #include "match/differences/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 
 namespace counterpart::differences {
 
@@ -19,39 +19,33 @@ namespace {
 
 using Region = std::vector<Index>;  // source triangles
 
-// -log2 of the frequency of each vertex's valence; the commonest says nothing, because growing goes on for as
-// long as it meets it.
-std::vector<double> information(const std::vector<Index>& valence) {
-    std::map<Index, double> count;
-    for (const Index k : valence) count[k] += 1;
-    double most = 0;
-    for (const auto& [k, n] : count) most = std::max(most, n);
-    std::vector<double> bits;
-    for (const Index k : valence)
-        bits.push_back(count[k] == most ? 0 : std::log2(static_cast<double>(valence.size()) / count[k]));
-    return bits;
-}
-
 class Verifier {
   public:
-    Verifier(MeshView source, MeshView target, const std::vector<Index>& map,
+    Verifier(const PairSide& source, const PairSide& target, const std::vector<Index>& map,
              const std::vector<Index>& partner, Prediction& prediction)
-        : source_(source),
-          target_(target),
+        : source_(source.mesh),
+          target_(target.mesh),
           map_(map),
           prediction_(prediction),
-          source_valence_(valences(source)),
-          target_valence_(valences(target)),
+          side_(source),
+          chance_bits_(information_by_chance(source)),
+          local_(to_size(source.mesh.n_triangles()), -1),
+          source_valence_(valences(source_)),
+          target_valence_(valences(target_)),
           bits_(information(target_valence_)),
-          matched_(to_size(source.n_vertices()), 0),
+          matched_(to_size(source_.n_vertices()), 0),
           n_regions_(matched_),
           kept_(map.size(), VertexMap::unmatched) {
-        for (Index t = 0; t < source.n_triangles(); ++t)
+        for (Index t = 0; t < source.map.n_triangles(); ++t)
+            local_[to_size(source.map.input_triangle[to_size(t)])] = t;
+        for (Index t = 0; t < source_.n_triangles(); ++t)
             for (int c = 0; c < 3 && partner[to_size(t)] >= 0; ++c)
-                ++matched_[to_size(source.triangles(t, c))];
+                ++matched_[to_size(source_.triangles(t, c))];
+        overall_ = lengths_of(source.map.input_triangle);
     }
 
-    void add(const Region& region) {
+    void add(const Region& region, bool is_known) {
+        if (is_known) count(region);
         for (const Index v : vertices(region)) {
             kept_[to_size(v)] = map_[v];
             ++n_regions_[to_size(v)];
@@ -74,20 +68,22 @@ class Verifier {
         for (const std::size_t i : symmetry::evenly_spread(border.size(), tuning.region_sample))
             if (const auto offset = prediction_.offset(border[i], map_[border[i]], kept_))
                 offsets.push_back(*offset);
-        const double bits = information_in(all) * (1 + length_agreement(region));
-        const bool belongs = is_significant(bits, region.size()) ||
+        const bool belongs = is_significant(evidence(region)) ||
                              (!offsets.empty() && median(offsets) <= tuning.max_region_offset);
         if (!belongs) return;
-        bits_kept_ += bits;
-        triangles_kept_ += region.size();
+        count(region);
         for (const Index v : own) {
             kept_[to_size(v)] = map_[v];
             ++n_regions_[to_size(v)];
         }
     }
 
-    /// Whether all that was kept says enough.
-    bool is_significant() const { return is_significant(bits_kept_, triangles_kept_); }
+    /// Whether all that was kept says enough, and is not what chance gives.
+    bool is_significant() const { return is_significant(kept_evidence_); }
+    /// See Verified.
+    double agreement() const {
+        return std::max(0.0, 1 - length_deviation(log_ratios(region_kept_)) / lengths_of(region_kept_).limit);
+    }
 
     std::vector<Index> without_single() const {
         std::vector<Index> result = kept_;
@@ -119,9 +115,7 @@ class Verifier {
             if (is_whole(v)) bits += bits_[to_size(map_[v])];
         return bits;
     }
-    // From 0 to 1: how well edges keep their lengths, but for a common factor. It only adds to what valences
-    // say, since a regular mesh repeats its lengths too.
-    double length_agreement(const Region& region) const {
+    std::vector<double> log_ratios(const Region& region) const {
         std::vector<double> ratios;
         for (const Index t : region)
             for (int c = 0; c < 3; ++c) {
@@ -130,45 +124,85 @@ class Verifier {
                              after = (target_.vertices.row(map_[v]) - target_.vertices.row(map_[w])).norm();
                 if (before > 0 && after > 0) ratios.push_back(std::log(after / before));
             }
-        if (ratios.empty()) return 0;
-        const double common = median(ratios);
-        for (double& ratio : ratios) ratio = std::abs(ratio - common);
-        return std::exp(-std::pow(median(ratios) / tuning.length_tolerance, 2));
+        return ratios;
     }
-    bool is_significant(double bits, std::size_t n_triangles) const {
-        const double n_a = source_.n_triangles(), n_b = target_.n_triangles();
-        return 2 * static_cast<double>(n_triangles) >= std::min(n_a, n_b) ||
-               bits >= std::log2(3 * n_a * 6 * n_b) + tuning.significance;
+    struct Lengths {
+        double limit;   // of the deviation that confirms
+        bool may_veto;  // because chance matches, too
+    };
+    Lengths lengths_of(const Region& region) const {
+        constexpr std::size_t few = 100;  // triangles, on which chance cannot be tried
+        if (region.size() < few && overall_) return *overall_;
+        Region local = region;
+        for (Index& t : local) t = local_[to_size(t)];
+        const Chance chance = chance_among(local, side_);
+        return chance.alike > tuning.regular
+                   ? Lengths{std::clamp(tuning.chance_limit * chance.deviation, tuning.length_rounding,
+                                        tuning.length_limit),
+                             true}
+                   : Lengths{tuning.length_limit, false};
+    }
+    // In bits. Of lengths nothing where these deviate as chance's do.
+    struct Evidence {
+        double valences = 0, lengths = 0;
+        bool lengths_agree = false;
+    };
+    Evidence evidence(const Region& region) const {
+        const double deviation = length_deviation(log_ratios(region));
+        const auto [limit, may_veto] = lengths_of(region);
+        const std::vector<Index> all = vertices(region);
+        Evidence result{information_in(all), 0, !may_veto || deviation < limit};
+        const double most = tuning.max_length_bits / tuning.bits_per_halving,
+                     halvings = deviation > 0 ? std::log2(limit / deviation) : most;
+        result.lengths =
+            static_cast<double>(all.size()) * tuning.bits_per_halving * std::clamp(halvings, 0.0, most);
+        return result;
+    }
+    void count(const Region& region) {
+        const Evidence more = evidence(region);
+        kept_evidence_.valences += more.valences;
+        kept_evidence_.lengths += more.lengths_agree ? more.lengths : -more.valences;
+        kept_evidence_.lengths_agree = true;  // of what does not, neither counts
+        region_kept_.insert(region_kept_.end(), region.begin(), region.end());
+    }
+    // By lengths and valences, or by valences alone, if these say more than chance could.
+    bool is_significant(const Evidence& evidence) const {
+        const double n_a = source_.n_triangles(), n_b = target_.n_triangles(),
+                     least = std::log2(3 * n_a * 6 * n_b) + tuning.significance;
+        return evidence.valences >= least + tuning.beyond_chance * chance_bits_ ||
+               (evidence.lengths_agree && evidence.valences + evidence.lengths >= least);
     }
 
     MeshView source_;
     MeshView target_;
     const std::vector<Index>& map_;
     Prediction& prediction_;
+    const PairSide& side_;
+    double chance_bits_;
+    std::vector<Index> local_;  // number of each source triangle in the map
     std::vector<Index> source_valence_, target_valence_;
     std::vector<double> bits_;
     std::vector<Index> matched_;    // triangles around each source vertex
     std::vector<Index> n_regions_;  // that have each source vertex
     std::vector<Index> kept_;
-    double bits_kept_ = 0;
-    std::size_t triangles_kept_ = 0;
+    Evidence kept_evidence_;
+    Region region_kept_;
+    std::optional<Lengths> overall_;  // of all the source
 };
 
 }  // namespace
 
-std::vector<Index> without_misplaced(const DartMap& source, MeshView source_mesh, MeshView target_mesh,
-                                     const std::vector<Index>& map, const std::vector<Index>& partner,
-                                     const std::vector<bool>& known, Prediction& prediction) {
-    Verifier verifier(source_mesh, target_mesh, map, partner, prediction);
-    const std::vector<Region> regions = matched_regions(source, partner);
+Verified verified(const PairSide& source, const PairSide& target, const std::vector<Index>& map,
+                  const std::vector<Index>& partner, const std::vector<bool>& known, Prediction& prediction) {
+    Verifier verifier(source, target, map, partner, prediction);
+    const std::vector<Region> regions = matched_regions(source.map, partner);
     const auto is_known = [&](const Region& region) { return bool(known[to_size(region[0])]); };
-    for (const Region& region : regions) verifier.add(region);
+    for (const Region& region : regions) verifier.add(region, is_known(region));
     std::for_each(regions.rbegin(), regions.rend(), [&](const Region& region) {
         if (!is_known(region)) verifier.judge(region);
     });
-    if (std::none_of(known.begin(), known.end(), [](bool is) { return is; }) && !verifier.is_significant())
-        return std::vector<Index>(map.size(), VertexMap::unmatched);
-    return verifier.without_single();
+    if (!verifier.is_significant()) return {std::vector<Index>(map.size(), VertexMap::unmatched), 0};
+    return {verifier.without_single(), verifier.agreement()};
 }
 
 }  // namespace counterpart::differences

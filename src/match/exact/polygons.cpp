@@ -125,14 +125,19 @@ ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions&
     return std::move(result);
 }
 
-std::optional<ExactResult> match_recut(MeshView source, MeshView target, const ExactOptions& options) {
-    const auto recut = diagonals::find_recut_quads(source, target, part_of(options.progress, 0, 0.5));
-    if (!recut) return std::nullopt;
+ExactResult match_recut(MeshView source, MeshView target, const ExactOptions& options) {
+    const auto [recut, why_not] =
+        diagonals::find_recut_quads(source, target, part_of(options.progress, 0, 0.5));
+    if (!recut) {
+        ExactResult differing;
+        differing.difference = why_not;
+        return differing;
+    }
     ExactOptions rest = options;
     rest.progress = part_of(options.progress, 0.5, 1);
     Isomorphism found = match_coned(recut->source.mesh, recut->target.mesh, rest);
     ExactResult& result = found.result;
-    if (!result.identical) return std::nullopt;
+    if (!result.identical) return std::move(result);
     result.target_corner_from_source = in_input_order(result.target_corner_from_source, *recut);
     found.source.faces = "triangles";
     found.source.n_faces = source.n_triangles();

@@ -18,6 +18,7 @@ struct Dropped {
 struct Contenders {
     std::vector<Map> in_race = {};  // best first
     std::vector<Dropped> dropped = {};
+    double first_score = 0;  // of the best after the first schedule
 
     const Map& leader() const { return in_race.front(); }
     /// Over the next one; infinite if there is none.

@@ -12,6 +12,7 @@
 #include "match/spectral/race.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -37,7 +38,21 @@ class Reading {
         watch.lap("moves");
     }
 
+    // What a search may be expected to find, by its first steps.
+    double glance(const ProgressRange& progress, Stopwatch& watch) const {
+        const CoarsePair coarse(whole_, whole_.tuning.race.n_coarse);
+        const double found =
+            spectral_match::first_score(coarse.level, whole_.tuning.mirror.n_first, progress, watch);
+        watch.lap("mirror");
+        return found;
+    }
+    double first_score() const { return contenders_.first_score; }
     double score() const { return contenders_.leader().rank(); }
+    // The best map that was searched, not polished.
+    VertexMap leader(const ProgressRange& progress) const {
+        return {lifted(spread_over(whole_, contenders_.leader()), progress).b_from_a,
+                whole_.b.shape.n_full_vertices()};
+    }
     double score_of(const VertexMap& initial) const { return given_map(whole_, initial).rank(); }
 
     // Stages 5 and 6, and what is to be said about the map, between the full meshes.
@@ -112,37 +127,112 @@ void keep_landmarks(SpectralResult& result, const VertexPairs& landmarks) {
 
 }  // namespace
 
+namespace {
+
+// The readings of a pair that were searched, and how well their best maps score.
+class Readings {
+  public:
+    Readings(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
+             const SpectralTuning& tuning, Stopwatch& watch)
+        : source_(source),
+          target_(target),
+          options_(options),
+          tuning_(tuning),
+          watch_(watch),
+          priors_(make_priors(source, target, options, tuning.priors)) {}
+
+    // Both where one mesh is inside out: badly oriented, or the mirror image of what it was; or where little
+    // fits as the meshes are and a glance at the mirror image promises more. What a person says of directions
+    // or landmarks tells which reading is meant.
+    void search(const ProgressRange& progress) {
+        const bool is_asked = is_mirror_asked(options_);
+        if (!is_asked)
+            score_ = search(as_it_is_.emplace(source_, target_, priors_, tuning_), progress.part(0, 0.6));
+        if (is_asked || (options_.mirror == Mirror::automatic && is_promising(progress.part(0.6, 0.7)))) {
+            read_in_the_mirror();
+            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, 1));
+        }
+        is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain());
+    }
+
+    SpectralResult finish(const ProgressRange& progress) {
+        Reading& taken = is_mirrored_ ? *in_the_mirror_ : *as_it_is_;
+        const bool is_compared = as_it_is_ && in_the_mirror_;
+        std::optional<VertexMap> other_map;  // before the search is polished
+        if (is_compared && !options_.initial)
+            other_map = (is_mirrored_ ? *as_it_is_ : *in_the_mirror_).leader(progress.unheard());
+        SpectralResult result = taken.finish(options_, progress, watch_);
+        result.mirrored = is_mirrored_;
+        if (!is_compared) return result;
+        if (is_mirrored_)
+            result.messages.push_back(
+                {MessageCode::mirror_image, Severity::notice,
+                 fmt::format("one mesh is the mirror image of the other (score {:.2f}, without mirroring "
+                             "{:.2f}): the map reverses orientation (left to left)",
+                             mirrored_score_, score_)});
+        const double behind = std::abs(mirrored_score_ - score_);
+        if (other_map && behind < tuning_.mirror.close) add_first(std::move(*other_map), behind, result);
+        return result;
+    }
+
+  private:
+    void add_first(VertexMap map, double behind, SpectralResult& result) const {
+        if (options_.n_alternatives == 0) return;
+        result.alternatives.insert(result.alternatives.begin(),
+                                   {std::move(map), result.score - behind,
+                                    is_mirrored_ ? "as the meshes are, not mirrored"
+                                                 : "the target as a mirror image: orientation reversed"});
+        result.alternatives.resize(
+            std::min(result.alternatives.size(), static_cast<std::size_t>(options_.n_alternatives)));
+        result.margin = std::min(result.margin, behind);
+    }
+
+    double search(Reading& reading, const ProgressRange& progress) {
+        if (options_.initial) return reading.score_of(*options_.initial);
+        reading.search(progress, watch_);
+        return reading.score();
+    }
+
+    bool is_inside_out() const { return source_.origin.was_inside_out != target_.origin.was_inside_out; }
+
+    bool is_promising(const ProgressRange& progress) {
+        if (is_inside_out()) return true;
+        if (options_.initial || !priors_.empty() || score_ >= tuning_.mirror.good_score) return false;
+        read_in_the_mirror();
+        const double promised = in_the_mirror_->glance(progress, watch_);
+        if (promised > as_it_is_->first_score() + tuning_.mirror.promising) return true;
+        in_the_mirror_.reset();
+        return false;
+    }
+
+    void read_in_the_mirror() {
+        if (!mirror_) mirror_ = mirrored(target_);
+        if (!in_the_mirror_) in_the_mirror_.emplace(source_, *mirror_, with_mirrored_b(priors_), tuning_);
+    }
+
+    double least_gain() const {
+        return is_inside_out() ? tuning_.confidence.min_mirror_gain : tuning_.mirror.clear_gain;
+    }
+
+    const PreparedShape& source_;
+    const PreparedShape& target_;
+    const SpectralOptions& options_;
+    const SpectralTuning& tuning_;
+    Stopwatch& watch_;
+    const Priors priors_;
+    std::optional<PreparedShape> mirror_;
+    std::optional<Reading> as_it_is_, in_the_mirror_;
+    double score_ = 0, mirrored_score_ = 0;
+    bool is_mirrored_ = false;
+};
+
+}  // namespace
+
 SpectralResult match(const PreparedShape& source, const PreparedShape& target, const SpectralOptions& options,
                      const SpectralTuning& tuning, const ProgressRange& progress, Stopwatch watch) {
-    // One inside out: badly oriented, or the mirror image of what it was. Where both readings are searched,
-    // the better score tells, and only the winner is finished.
-    const bool may_be_mirrored =
-        !options.symmetric && source.origin.was_inside_out != target.origin.was_inside_out;
-    const Priors priors = make_priors(source, target, options, tuning.priors);
-    std::optional<PreparedShape> mirror;
-    if (options.symmetric || may_be_mirrored) mirror = mirrored(target);
-    std::optional<Reading> as_it_is, in_the_mirror;
-    if (!options.symmetric) as_it_is.emplace(source, target, priors, tuning);
-    if (mirror) in_the_mirror.emplace(source, *mirror, with_mirrored_b(priors), tuning);
-    const auto score_of = [&](Reading& reading, const ProgressRange& part) {
-        if (options.initial) return reading.score_of(*options.initial);
-        reading.search(part, watch);
-        return reading.score();
-    };
-    double score = 0, mirrored_score = 0;
-    if (as_it_is) score = score_of(*as_it_is, progress.part(0, mirror ? 0.3 : 0.6));
-    if (in_the_mirror) mirrored_score = score_of(*in_the_mirror, progress.part(as_it_is ? 0.3 : 0, 0.6));
-    const bool is_mirrored =
-        as_it_is && in_the_mirror && mirrored_score > score + tuning.confidence.min_mirror_gain;
-    Reading& taken = is_mirrored || !as_it_is ? *in_the_mirror : *as_it_is;
-    SpectralResult result = taken.finish(options, progress.part(0.6, 1), watch);
-    if (is_mirrored)
-        result.messages.push_back(
-            {MessageCode::mirror_image, Severity::caution,
-             fmt::format(
-                 "one mesh is the mirror image of the other (score {:.2f}, without mirroring {:.2f}): "
-                 "the map reverses orientation (left to left)",
-                 mirrored_score, score)});
+    Readings readings(source, target, options, tuning, watch);
+    readings.search(progress.part(0, 0.6));
+    SpectralResult result = readings.finish(progress.part(0.6, 1));
     result.stages = watch.stages();
     result = between_inputs(std::move(result), source.origin, target.origin);
     if (!options.soft_landmarks) keep_landmarks(result, options.landmarks);

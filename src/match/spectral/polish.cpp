@@ -17,11 +17,6 @@ Map grown(const Level& level, Map map, const std::vector<int>& sizes, bool maske
     return map;
 }
 
-// A map of samples over all vertices, not refined.
-Map spread_over(const Level& whole, const Map& map) {
-    return Refiner(whole)(map, {.n_rounds = 0, .start_size = whole.tuning.polish.runner_up_size});
-}
-
 // All maps of the race on the level, best first.
 std::vector<Map> refined_on(const Level& level, const std::vector<Map>& maps, const ProgressRange& progress) {
     const PolishTuning& tuning = level.tuning.polish;
@@ -88,6 +83,10 @@ std::vector<RunnerUp> runners_up(const std::vector<Dropped>& dropped, const Leve
 }
 
 }  // namespace
+
+Map spread_over(const Level& whole, const Map& map) {
+    return Refiner(whole)(map, {.n_rounds = 0, .start_size = whole.tuning.polish.runner_up_size});
+}
 
 NearIsometry grown_near_isometry(const Level& whole, const Map& map) {
     const std::vector<int>& sizes = whole.tuning.polish.near_sizes;

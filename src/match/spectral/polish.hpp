@@ -18,6 +18,9 @@ struct Polished {
     std::vector<RunnerUp> runners_up;
 };
 
+/// A map of samples over all vertices, not refined.
+Map spread_over(const Level& whole, const Map& map);
+
 /// A map grown by ZoomOut on all samples, and whether the shapes are nearly isometric by it.
 struct NearIsometry {
     Map grown;

@@ -29,6 +29,7 @@ class Race {
             start_candidates(few_, level_.tuning.candidates, progress_.part(0, 0.2));
         watch_.lap("proposals");
         const std::vector<double> ranks = enter(proposals, tuning_.n_first, progress_.part(0.2, 0.4));
+        contenders_.first_score = contenders_.leader().rank();
         if (!is_decided(progress_.part(0.4, 0.45))) {
             in_doubt_ = contenders_.leader().rank() < tuning_.doubtful_score;
             watch_.lap("race");
@@ -38,6 +39,12 @@ class Race {
         watch_.lap("race");
         progress_.reach(1);
         return std::move(contenders_);
+    }
+
+    double first_score(std::size_t count) {
+        enter(start_candidates(few_, level_.tuning.candidates, progress_.part(0, 0.5)), count,
+              progress_.part(0.5, 1));
+        return contenders_.leader().rank();
     }
 
   private:
@@ -129,6 +136,10 @@ class Race {
 
 Contenders race(const Level& level, const ProgressRange& progress, Stopwatch& watch) {
     return Race(level, progress, watch).run();
+}
+
+double first_score(const Level& level, std::size_t count, const ProgressRange& progress, Stopwatch& watch) {
+    return Race(level, progress, watch).first_score(count);
 }
 
 }  // namespace counterpart::spectral_match

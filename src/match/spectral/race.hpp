@@ -14,4 +14,8 @@ namespace counterpart::spectral_match {
 /// yet, more proposals enter and more go on. At least one map. Laps: proposals, race.
 Contenders race(const Level& level, const ProgressRange& progress, Stopwatch& watch);
 
+/// Contenders::first_score of a race that `count` proposals enter, and no more of it: what to expect of a
+/// whole one.
+double first_score(const Level& level, std::size_t count, const ProgressRange& progress, Stopwatch& watch);
+
 }  // namespace counterpart::spectral_match

@@ -42,7 +42,9 @@ void require_valid(const SpectralOptions& options, Index n_source, Index n_targe
                         options.initial->source_size(), options.initial->target_size(), n_source, n_target));
     if (!options.up.allFinite() || !options.facing.allFinite())
         throw InvalidInput("the directions up and facing must be finite");
-    if (options.aligned && options.symmetric)
+    if (options.symmetric && options.mirror == Mirror::never)
+        throw InvalidInput("symmetric asks for the mirrored map, which mirror = never excludes");
+    if (options.aligned && is_mirror_asked(options))
         throw InvalidInput(
             "aligned says that left stays left, symmetric exchanges left and right: "
             "give up and facing instead of aligned");

@@ -303,6 +303,19 @@ struct ConfidenceTuning {
     double sphere_ratio = 1.03;   ///< of the third to the first eigenvalue, below it a shape is sphere-like
 };
 
+/// Whether the target is read in the mirror.
+struct MirrorTuning {
+    /// A map of so much is not a mirrored shape's: nothing is tried.
+    double good_score = 1.2;
+    /// Proposals of the mirrored reading that are refined at first, and how much better than the best of the
+    /// other reading one must be for a search.
+    std::size_t n_first = 4;
+    double promising = 0.03;
+    /// How much better the map of a mirrored search must be to be taken, and how much worse it may be to be
+    /// the first runner-up.
+    double clear_gain = 0.06, close = 0.06;
+};
+
 struct SpectralTuning {
     PreparationTuning preparation;
     PriorTuning priors;
@@ -311,6 +324,7 @@ struct SpectralTuning {
     ScoreTuning score;
     RaceTuning race;
     MoveTuning moves;
+    MirrorTuning mirror;
     PolishTuning polish;
     ConfidenceTuning confidence;
 };

@@ -10,6 +10,8 @@
 #include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -95,6 +97,62 @@ TEST(MatchDiagonals, AGridAndTwoComponentsAsTheyLie) {
     const TriangleMesh source = cut(1);
     const ShuffleResult target = shuffle(cut(5), 9);
     expect_found(source, target, match_exact(source, target.mesh));
+}
+
+// A bumpy torus of n x m quads, some of them split in five.
+TriangleMesh torus_of_quads(Index n, Index m, Index n_split) {
+    test::PolygonList list;
+    const double pi = std::acos(-1.0);
+    for (Index x = 0; x < n; ++x)
+        for (Index y = 0; y < m; ++y) {
+            const double a = 2 * pi * x / n, b = 2 * pi * y / m,
+                         r = 0.3 + 0.05 * std::sin(3 * a + 1) + 0.03 * std::cos(5 * b);
+            list.vertices.emplace_back((1 + r * std::cos(b)) * std::cos(a),
+                                       (1 + r * std::cos(b)) * std::sin(a), r * std::sin(b));
+        }
+    const auto at = [&](Index x, Index y) { return (x % n) * m + y % m; };
+    for (Index x = 0; x < n; ++x)
+        for (Index y = 0; y < m; ++y) {
+            const std::array<Index, 4> quad{at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)};
+            if (n_split == 0 || (37 * x + 11 * y) % (n * m / n_split) != 0) {
+                list.add({quad.begin(), quad.end()});
+                continue;
+            }
+            Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
+            for (const Index v : quad) middle += list.vertices[static_cast<std::size_t>(v)] / 4;
+            const auto first = static_cast<Index>(list.vertices.size());
+            for (const Index v : quad)
+                list.vertices.push_back((list.vertices[static_cast<std::size_t>(v)] + middle) / 2);
+            list.add({first, first + 1, first + 2, first + 3});
+            for (Index c = 0; c < 4; ++c)
+                list.add({quad[static_cast<std::size_t>(c)], quad[static_cast<std::size_t>((c + 1) % 4)],
+                          first + (c + 1) % 4, first + c});
+        }
+    return list.cut();
+}
+
+TEST(MatchDiagonals, ALargeTorusWhateverItsBend) {
+    const TriangleMesh quads = torus_of_quads(90, 45, 100);
+    for (const double bend : {0.0, 0.1}) {
+        TriangleMesh bent = quads;
+        for (Index v = 0; v < bent.n_vertices(); ++v) {
+            const Eigen::RowVector3d x = quads.vertices.row(v);
+            bent.vertices.row(v) +=
+                bend * Eigen::RowVector3d(std::sin(2 * x[1]), std::sin(2 * x[2]), std::sin(2 * x[0]));
+        }
+        const ShuffleResult target = shuffle(move_at_random(test::cut_at_random(bent, 2), 3), 4);
+        expect_found(test::cut_at_random(quads, 1), target,
+                     match_exact(test::cut_at_random(quads, 1), target.mesh));
+        expect_found(quads, target, match_exact(quads, target.mesh));
+    }
+}
+
+TEST(MatchDiagonals, SaysHowFarItGot) {
+    const TriangleMesh quads = torus_of_quads(12, 8, 5), other = torus_of_quads(8, 12, 5);
+    const ExactResult result = match_exact(test::cut_at_random(quads, 1), test::cut_at_random(other, 2));
+    EXPECT_FALSE(result.identical);
+    EXPECT_NE(result.difference.find("the one that gets farthest ends after"), std::string::npos)
+        << result.difference;
 }
 
 // One flipped edge is an edit, which find_differences names.

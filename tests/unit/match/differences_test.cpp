@@ -10,6 +10,7 @@
 #include <counterpart/mesh/variants.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -96,8 +97,9 @@ TEST(FindDifferences, NamesAMissingComponent) {
 }
 
 TEST(FindDifferences, FindsNothingInCommonOfUnrelatedMeshes) {
-    const TriangleMesh ball = test::with_flipped_edges(make_icosphere(4), 300, 7).mesh,
-                       other = test::with_flipped_edges(make_icosphere(4), 300, 8).mesh;
+    const TriangleMesh ball = test::with_flipped_edges(make_icosphere(4), 300, 7).mesh;
+    TriangleMesh other = test::with_flipped_edges(make_icosphere(4), 300, 8).mesh;
+    other.vertices.col(2).array() += 0.5 * (3 * other.vertices.col(0)).array().sin();  // another shape
     for (const auto& [source, target] :
          {std::pair(make_torus(10, 12), make_grid(9, 7)), std::pair(ball, other),
           std::pair(test::with_flipped_edges(make_torus(40, 30), 200, 1).mesh, ball)}) {
@@ -107,6 +109,29 @@ TEST(FindDifferences, FindsNothingInCommonOfUnrelatedMeshes) {
         EXPECT_EQ(difference.source_share, 0);
         EXPECT_NE(difference.summary.find("share no part"), std::string::npos) << difference.summary;
     }
+}
+
+// Two scans of different shapes: grids agree with each other nearly everywhere.
+TEST(FindDifferences, FindsNothingInCommonOfScansOnGrids) {
+    const auto scan = [](int columns, int rows, double phase, std::uint64_t seed) {
+        TriangleMesh mesh = make_grid(columns, rows);
+        const double extent = mesh.vertices.col(0).maxCoeff();
+        for (Index v = 0; v < mesh.n_vertices(); ++v)
+            mesh.vertices(v, 2) = extent / 5 * std::sin(7 * mesh.vertices(v, 0) / extent + phase) *
+                                  std::cos(5 * mesh.vertices(v, 1) / extent + 2 * phase);
+        return test::with_flipped_edges(mesh, 8, seed).mesh;
+    };
+    const MeshDifferences difference = find_differences(scan(34, 28, 0, 1), scan(30, 24, 1.3, 2));
+    EXPECT_EQ(count_matched(difference.target_from_source), 0) << difference.summary;
+}
+
+// A component of two triangles, found in a mesh of thousands, says nothing.
+TEST(FindDifferences, TwoTrianglesAreNoEvidence) {
+    const TriangleMesh pair = make_grid(1, 1);
+    TriangleMesh far = pair;
+    far.vertices.col(0).array() += 5;
+    const MeshDifferences difference = find_differences(pair, test::joined(lopsided_sphere(), far));
+    EXPECT_EQ(count_matched(difference.target_from_source), 0) << difference.summary;
 }
 
 TEST(FindDifferences, TellsHowMuchIsShared) {

@@ -247,6 +247,23 @@ TEST(MatchSpectral, SymmetricMatchesTheMirrorImage) {
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), source), 2.0);
 }
 
+// A left shape and a right one, wound as they should be: the mirrored reading is found, said, and can be
+// refused.
+TEST(MatchSpectral, AMirroredShapeIsReadInTheMirror) {
+    const TriangleMesh source = bumpy_sphere(3);
+    TriangleMesh target = deform(mirrored(source), {.bend = 0.2});
+    if (signed_volume(target) < 0) target.triangles.col(1).swap(target.triangles.col(2));
+    const SpectralResult result = match_spectral(source, target, {}, small);
+    EXPECT_TRUE(result.mirrored);
+    EXPECT_TRUE(contains(result.messages, MessageCode::mirror_image));
+    EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 3.0);
+    EXPECT_FALSE(match_spectral(source, target, {.mirror = Mirror::never}, small).mirrored);
+    EXPECT_FALSE(match_spectral(source, deform(source, {.bend = 0.2}), {}, small).mirrored);
+    EXPECT_TRUE(match_spectral(source, source, {.mirror = Mirror::always}, small).mirrored);
+    EXPECT_THROW(match_spectral(source, source, {.mirror = Mirror::never, .symmetric = true}, small),
+                 InvalidInput);
+}
+
 // Inside, the mirror image is taken in x.
 TEST(MatchSpectral, WhatIsUpIsUpInMirrorImagesToo) {
     const TriangleMesh source = bumpy_sphere(3);

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <counterpart/base/progress.hpp>
+#include <counterpart/map/vertex_map.hpp>
+#include <counterpart/mesh/triangle_mesh.hpp>
+
+#include <string>
+
+namespace counterpart {
+
+struct PlaceOptions {
+    int n_threads = 0;    ///< 0 = all; does not change the result
+    Progress progress{};  ///< see base/progress.hpp
+};
+
+struct PlaceResult {
+    VertexMap target_from_source;
+    /// Per source vertex, in [0, 1]: 1 where vertices lie at the same places and faces confirm it; else at
+    /// most 0.95, less the farther the other surface is, 0 beyond `reach`.
+    Vector confidence;
+    /// The vertices of either mesh lie at the places of the other's, and their edges agree.
+    bool same_vertices = false;
+    /// Shares of the area of each surface from which the other, facing the same way, is within `reach`.
+    double source_share = 0, target_share = 0;
+    double reach = 0;      ///< mesh units: half a percent of sqrt(area), or a quarter of the mean edge
+    std::string sentence;  ///< what was found
+};
+
+/// The share of both surfaces from which two meshes lie in the same place.
+inline constexpr double coinciding_share = 0.9;
+/// Whether the surfaces lie in the same place.
+inline bool coincides(const PlaceResult& result) {
+    return result.same_vertices ||
+           (result.source_share >= coinciding_share && result.target_share >= coinciding_share);
+}
+
+/// Matches what lies in the same place, as the meshes are: a retopology, another triangulation or another
+/// export of one surface. Vertices at the same places are partners. Otherwise each source vertex takes the
+/// closest point that faces the same way (normals less than 60 degrees apart), on the component where most of
+/// its own component lies, and there the nearest corner. Meshes that do not coincide are matched all the
+/// same: see `coincides`. Throws InvalidInput for invalid meshes, UnsuitableMesh without area, Canceled.
+/// O(F log F).
+PlaceResult match_place(MeshView source, MeshView target, const PlaceOptions& options = {});
+
+}  // namespace counterpart

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "base/parallel.hpp"
+#include "base/to_size.hpp"
+#include "match/place/coincidence.hpp"
+#include "match/place/part_by_part.hpp"
+#include "match/place/same_places.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/place.hpp>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace counterpart {
+namespace {
+
+PlaceResult by_vertices(const place::SamePlaces& places, MeshView source) {
+    PlaceResult result;
+    result.target_from_source = places.target_from_source;
+    result.same_vertices = true;
+    result.source_share = result.target_share = 1;
+    result.confidence.resize(source.n_vertices());
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        result.confidence[v] = places.target_from_source[v] == VertexMap::unmatched ? 0 : 1;
+    result.sentence =
+        fmt::format("the vertices of both meshes lie at the same places, and {} of {} triangles are the same",
+                    places.n_same_faces, source.n_triangles());
+    return result;
+}
+
+// What place alone decides is never certain.
+double confidence_at(double squared_distance, double reach) {
+    constexpr double most = 0.95;
+    return !(reach > 0 && squared_distance <= reach * reach)
+               ? 0
+               : most * std::exp(-squared_distance / (reach * reach));
+}
+
+PlaceResult by_surfaces(MeshView source, MeshView target) {
+    if (target.n_triangles() == 0) throw UnsuitableMesh("the target has no triangles, only vertices");
+    const place::Coincidence found = place::measure_coincidence(source, target);
+    PlaceResult result;
+    result.source_share = found.source_share;
+    result.target_share = found.target_share;
+    result.reach = found.reach;
+    place::Closest closest = place::closest_part_by_part(source, target, result.reach);
+    result.target_from_source = VertexMap(std::move(closest.vertex), target.n_vertices());
+    result.confidence.resize(source.n_vertices());
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        result.confidence[v] = confidence_at(closest.squared_distance[to_size(v)], result.reach);
+    result.sentence = fmt::format(
+        "the surfaces lie in the same place: {:.0f} % of the source and {:.0f} % of the target are within "
+        "{:.3g} of the other",
+        100 * result.source_share, 100 * result.target_share, result.reach);
+    return result;
+}
+
+}  // namespace
+
+PlaceResult match_place(MeshView source, MeshView target, const PlaceOptions& options) {
+    require_valid(source);
+    require_valid(target);
+    report_progress(options.progress, 0);
+    PlaceResult result = with_threads(options.n_threads, [&] {
+        const auto places = place::find_same_places(source, target);
+        return places ? by_vertices(*places, source) : by_surfaces(source, target);
+    });
+    report_progress(options.progress, 1);
+    return result;
+}
+
+}  // namespace counterpart

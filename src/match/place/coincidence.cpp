@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/place/coincidence.hpp"
+
+#include "base/parallel.hpp"
+#include "match/place/surface.hpp"
+
+#include <counterpart/base/errors.hpp>
+#include <counterpart/match/place.hpp>
+#include <counterpart/mesh/measure.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace counterpart::place {
+namespace {
+
+struct Sample {
+    Eigen::Vector3d position, normal;
+};
+
+// Each stands for as much area; where in its triangle it lies follows the golden ratio.
+std::vector<Sample> spread_samples(const Surface& surface, std::size_t count) {
+    constexpr double golden = 0.6180339887498949;
+    std::vector<Sample> samples;
+    const double step = surface.areas.sum() / static_cast<double>(count);
+    double passed = 0, next = step / 2;
+    for (Index t = 0; t < surface.mesh.n_triangles(); ++t) {
+        passed += surface.areas[t];
+        for (; next < passed && samples.size() < count; next += step) {
+            const double r = std::fmod(golden * static_cast<double>(samples.size() + 1), 1.0),
+                         s = std::sqrt((static_cast<double>(samples.size()) + 0.5) /
+                                       static_cast<double>(count));
+            const auto corner = [&](int c) -> Eigen::Vector3d {
+                return surface.mesh.vertices.row(surface.mesh.triangles(t, c)).transpose();
+            };
+            samples.push_back({(1 - s) * corner(0) + s * (1 - r) * corner(1) + s * r * corner(2),
+                               surface.normals.row(t).transpose()});
+        }
+    }
+    return samples;
+}
+
+double reach_of(const Surface& source, const Surface& target) {
+    constexpr double of_size = 0.005, of_edge = 0.25;
+    const double size = std::sqrt(std::min(source.areas.sum(), target.areas.sum())),
+                 edge = std::max(mean_edge_length(source.mesh), mean_edge_length(target.mesh));
+    return std::max(of_size * size, of_edge * edge);
+}
+
+// Of samples; of a few only, where these say that it is far below a half.
+double share_within(const Surface& from, const Surface& to, double reach) {
+    constexpr std::size_t count = 2000, few = 100;
+    constexpr double hopeless = 0.4;
+    const std::vector<Sample> samples = spread_samples(from, count);
+    std::vector<char> is_near(samples.size(), 0);
+    const auto share_of_every = [&](std::size_t stride) {
+        const std::size_t n = (samples.size() + stride - 1) / stride;
+        parallel_for(n, 64, [&](std::size_t k) {
+            const Sample& sample = samples[k * stride];
+            const auto point = to.closest.closest(sample.position, sample.normal, same_way, reach);
+            is_near[k] = point.triangle >= 0 ? 1 : 0;
+        });
+        const auto end = is_near.begin() + static_cast<std::ptrdiff_t>(n);
+        return static_cast<double>(std::count(is_near.begin(), end, 1)) /
+               static_cast<double>(std::max<std::size_t>(n, 1));
+    };
+    const double roughly = share_of_every(count / few);
+    return roughly < hopeless ? roughly : share_of_every(1);
+}
+
+// Whether the boxes overlap by more than half, in each direction.
+bool boxes_overlap(MeshView a, MeshView b) {
+    const Eigen::Array3d low_a = a.vertices.colwise().minCoeff().transpose(),
+                         high_a = a.vertices.colwise().maxCoeff().transpose(),
+                         low_b = b.vertices.colwise().minCoeff().transpose(),
+                         high_b = b.vertices.colwise().maxCoeff().transpose();
+    // Flat meshes have no extent in one direction.
+    const double slack = 0.02 * std::max((high_a - low_a).maxCoeff(), (high_b - low_b).maxCoeff());
+    const Eigen::Array3d common = high_a.min(high_b) - low_a.max(low_b) + slack,
+                         both = high_a.max(high_b) - low_a.min(low_b) + slack;
+    return (common > 0.5 * both).all();
+}
+
+}  // namespace
+
+Surface::Surface(MeshView of)
+    : mesh(of),
+      areas(triangle_areas(of)),
+      normals(triangle_normals(of)),
+      closest(of.vertices, of.triangles) {}
+
+Coincidence measure_coincidence(MeshView source, MeshView target) {
+    if (source.n_triangles() == 0 || target.n_triangles() == 0 || !boxes_overlap(source, target)) return {};
+    const Surface from(source), to(target);
+    if (!(from.areas.sum() > 0) || !(to.areas.sum() > 0))
+        throw UnsuitableMesh("a mesh has no area: what lies in the same place cannot be seen");
+    Coincidence result{reach_of(from, to)};
+    result.source_share = share_within(from, to, result.reach);
+    if (result.source_share > 0) result.target_share = share_within(to, from, result.reach);
+    return result;
+}
+
+bool coincide(MeshView source, MeshView target) {
+    const Coincidence found = measure_coincidence(source, target);
+    return std::min(found.source_share, found.target_share) >= coinciding_share;
+}
+
+}  // namespace counterpart::place
