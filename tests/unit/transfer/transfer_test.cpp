@@ -176,9 +176,9 @@ CornerAttribute flat_normals(const TriangleMesh& mesh) {
 }
 
 TEST(CarryNormals, OfAFlatShadedSurfaceOnlyWhereAsked) {
-    AttributedMesh source{.mesh = make_body({.subdivisions = 1})};
+    AttributedMesh source, target;
+    source.mesh = target.mesh = make_body({.subdivisions = 1});
     source.normals = flat_normals(source.mesh);
-    const AttributedMesh target{.mesh = source.mesh};
     const SurfaceMap map = surface_map_of(identity_map(source.mesh.n_vertices()), source.mesh);
     const TransferResult left_out = transfer_through_inverse(source, target, map);
     EXPECT_EQ(left_out.content.normals.values.rows(), 0);
