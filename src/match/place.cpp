@@ -9,7 +9,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/place.hpp>
 
-#include <cmath>
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -33,9 +33,8 @@ PlaceResult by_vertices(const place::SamePlaces& places, MeshView source) {
 // What place alone decides is never certain.
 double confidence_at(double squared_distance, double reach) {
     constexpr double most = 0.95;
-    return !(reach > 0 && squared_distance <= reach * reach)
-               ? 0
-               : most * std::exp(-squared_distance / (reach * reach));
+    const double left = reach > 0 ? std::max(0.0, 1 - squared_distance / (reach * reach)) : 0;
+    return most * left * left;
 }
 
 PlaceResult by_surfaces(MeshView source, MeshView target) {
@@ -51,9 +50,10 @@ PlaceResult by_surfaces(MeshView source, MeshView target) {
     for (Index v = 0; v < source.n_vertices(); ++v)
         result.confidence[v] = confidence_at(closest.squared_distance[to_size(v)], result.reach);
     result.sentence = fmt::format(
-        "the surfaces lie in the same place: {:.0f} % of the source and {:.0f} % of the target are within "
+        "the surfaces {} in the same place: {:.0f} % of the source and {:.0f} % of the target are within "
         "{:.3g} of the other",
-        100 * result.source_share, 100 * result.target_share, result.reach);
+        coincides(result) ? "lie" : "do not lie", 100 * result.source_share, 100 * result.target_share,
+        result.reach);
     return result;
 }
 

@@ -32,7 +32,7 @@ enum class MessageCode {
     non_manifold,         ///< edges of more than two triangles, vertices in several patches
     open_surface,         ///< it has a boundary
     several_components,   ///< that nothing connects
-    fragments,            ///< so many components that the mesh is none
+    fragments,            ///< too fragmented to be treated as one mesh
     small_components,     ///< left out
     flat,                 ///< its sides cannot be told apart
     sphere_like,          ///< nearly symmetric about every axis

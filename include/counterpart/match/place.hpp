@@ -18,13 +18,13 @@ struct PlaceOptions {
 struct PlaceResult {
     VertexMap target_from_source;
     /// Per source vertex, in [0, 1]: 1 where vertices lie at the same places and faces confirm it; else at
-    /// most 0.95, less the farther the other surface is, 0 beyond `reach`.
+    /// most 0.95, less the farther the other surface is, 0 from `reach` on.
     Vector confidence;
     /// The vertices of either mesh lie at the places of the other's, and their edges agree.
     bool same_vertices = false;
     /// Shares of the area of each surface from which the other, facing the same way, is within `reach`.
     double source_share = 0, target_share = 0;
-    double reach = 0;      ///< mesh units: half a percent of sqrt(area), or a quarter of the mean edge
+    double reach = 0;      ///< mesh units: a quarter of the mean edge, but 0.5 to 2 % of sqrt(area)
     std::string sentence;  ///< what was found
 };
 

@@ -28,7 +28,7 @@ std::string to_string(const Verdict& verdict);
 /// The reasons alone, as one sentence.
 std::string reason(const Verdict& verdict);
 
-/// What these messages come to: the gravest of their severities decides, and all that are no notices are
+/// What these messages come to: the gravest of their severities decides, and all but notices are
 /// reasons, whatever their order.
 Verdict verdict(const std::vector<Message>& messages);
 

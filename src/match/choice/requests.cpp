@@ -17,7 +17,7 @@
 namespace counterpart::choice {
 namespace {
 
-// Of the coordinates of the vertices and of their images along a direction.
+// Of the coordinates of the vertices and of their images along a direction; 1 where either are all the same.
 double correlation(const VertexMap& map, MeshView source, MeshView target, const Eigen::Vector3d& direction) {
     std::vector<Index> from;
     for (Index v = 0; v < map.source_size(); ++v)
@@ -29,9 +29,12 @@ double correlation(const VertexMap& map, MeshView source, MeshView target, const
         x[i] = source.vertices.row(v).dot(direction);
         y[i] = target.vertices.row(map[v]).dot(direction);
     }
+    const double size = std::max(x.cwiseAbs().maxCoeff(), y.cwiseAbs().maxCoeff());
     x.array() -= x.mean();
     y.array() -= y.mean();
-    return x.dot(y) / std::max(x.norm() * y.norm(), 1e-300);
+    constexpr double rounding = 1e-9;
+    const double least = rounding * size * std::sqrt(static_cast<double>(from.size()));
+    return std::min(x.norm(), y.norm()) <= least ? 1 : x.dot(y) / (x.norm() * y.norm());
 }
 
 }  // namespace
@@ -46,7 +49,7 @@ std::string contradiction(const VertexMap& target_from_source, MeshView source, 
         for (const auto& [s, t] : said.excluded) {
             if (target_from_source[s] == VertexMap::unmatched) continue;
             from_excluded.search(std::span(&t, 1), {.radius = radius, .targets = {}});
-            if (from_excluded.distance(target_from_source[s]) < radius)
+            if (from_excluded.distance(target_from_source[s]) <= radius)
                 return fmt::format("source vertex {} goes to target vertex {} or near it, which is excluded",
                                    s, t);
         }

@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 
 namespace counterpart::differences {
 
@@ -52,15 +51,15 @@ std::vector<DartPair> random_pairs(const std::vector<Index>& triangles, const Pa
 // What the vertices say that a region has whole, on both sides.
 double information_in(const std::vector<DartPair>& region, const PairSide& mesh,
                       const std::vector<Index>& valence, const std::vector<double>& bits) {
-    std::unordered_map<Index, Index> here, there;
-    std::unordered_map<Index, Index> image;
+    std::map<Index, Index> here, there;
+    std::map<Index, Index> image;
     for (auto [d, e] : region)
         for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) {
             ++here[mesh.map.origin(d)];
             ++there[mesh.map.origin(e)];
             image[mesh.map.origin(d)] = mesh.map.origin(e);
         }
-    const auto is_whole = [&](Index v, const std::unordered_map<Index, Index>& count) {
+    const auto is_whole = [&](Index v, const std::map<Index, Index>& count) {
         return count.at(v) == valence[to_size(v)];
     };
     double sum = 0;

@@ -5,6 +5,7 @@
 #include "base/to_size.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace counterpart::partial_match {
 namespace {
@@ -25,7 +26,9 @@ double disagreement(const Fit& fit, const Surface& part, const Surface& whole, c
             y[v] = image(static_cast<Index>(v)).dot(requests.directions.col(d));
         x.array() -= x.mean();
         y.array() -= y.mean();
-        const double correlation = x.dot(y) / std::max(x.norm() * y.norm(), 1e-12);
+        constexpr double flat = 1e-9;  // a sheet has no order along its normal
+        if (std::min(x.norm(), y.norm()) < flat * std::sqrt(static_cast<double>(n))) continue;
+        const double correlation = x.dot(y) / (x.norm() * y.norm());
         result += tuning.direction_weight * std::max(0.0, tuning.enough_correlation - correlation) /
                   static_cast<double>(n_directions);
     }

@@ -43,10 +43,10 @@ std::vector<Sample> spread_samples(const Surface& surface, std::size_t count) {
 }
 
 double reach_of(const Surface& source, const Surface& target) {
-    constexpr double of_size = 0.005, of_edge = 0.25;
+    constexpr double of_size = 0.005, of_edge = 0.25, most_of_size = 0.02;
     const double size = std::sqrt(std::min(source.areas.sum(), target.areas.sum())),
                  edge = std::max(mean_edge_length(source.mesh), mean_edge_length(target.mesh));
-    return std::max(of_size * size, of_edge * edge);
+    return std::clamp(of_edge * edge, of_size * size, most_of_size * size);
 }
 
 // Of samples; of a few only, where these say that it is far below a half.

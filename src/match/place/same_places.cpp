@@ -49,12 +49,18 @@ std::optional<Candidates> candidates(MeshView source, MeshView target) {
                           std::count(used_there.begin(), used_there.end(), 0) == 0;
     if (all_used && std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff()) > near)
         return std::nullopt;
+    // Where so many share their places, place tells nothing of them.
+    const std::size_t most_in_all = 16 * std::max(used_here.size(), used_there.size());
+    std::size_t n_in_all = 0;
     const numerics::NearestNeighbors neighbors(target.vertices);
     std::vector<char> is_met(used_there.size(), 0);
     Candidates found(used_here.size());
     for (Index v = 0; v < source.n_vertices(); ++v) {
         for (const auto& other : neighbors.within(source.vertices.row(v), near))
-            found[to_size(v)].push_back(other.index);
+            if (used_here[to_size(v)] == 0 || used_there[to_size(other.index)] != 0)
+                found[to_size(v)].push_back(other.index);
+        n_in_all += found[to_size(v)].size();
+        if (n_in_all > most_in_all) return std::nullopt;
         if (found[to_size(v)].empty() && used_here[to_size(v)] != 0) return std::nullopt;
         std::sort(found[to_size(v)].begin(), found[to_size(v)].end());
         for (const Index w : found[to_size(v)]) is_met[to_size(w)] = 1;

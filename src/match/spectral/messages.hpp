@@ -11,7 +11,8 @@
 
 namespace counterpart::spectral_match {
 
-/// How a mesh was taken: what was merged, turned, cut, left out. From `fragments` components on it is none.
+/// How a mesh was taken: what was merged, turned, cut, left out. From `fragments` components on it is too
+/// fragmented to be treated as one mesh.
 std::vector<Message> messages_on(const Preprocessed& mesh, Subject subject, Index fragments);
 
 /// What was noticed in these two shapes, and what makes the match of them doubtful: defects of the inputs,

@@ -13,6 +13,8 @@
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace counterpart {
@@ -51,6 +53,17 @@ TEST(ChooseMethod, TellsWhatMatchThenTakesAndWhy) {
     EXPECT_EQ(choose_method(chosen_for, chosen_for, quick(MatchMethod::nearest)).method,
               MatchMethod::nearest);
     EXPECT_EQ(choose_method(chosen_for, chosen_for, quick(MatchMethod::nearest)).reason, "");
+}
+
+// A pattern piece: z is 0 everywhere, which contradicts nothing that is said of directions.
+TEST(ChooseMethod, AFlatMeshHasNoOrderAlongItsNormal) {
+    TriangleMesh sheet = make_grid(9, 5);
+    for (Index v = 0; v < sheet.n_vertices(); ++v) sheet.vertices(v, 0) += 0.02 * std::sin(3.0 * v);
+    MatchOptions options = quick();
+    options.spectral.aligned = true;
+    const MatchResult result = match(sheet, test::shuffled(sheet, 1).mesh, options);
+    EXPECT_NE(result.method, MatchMethod::spectral) << result.reason;
+    EXPECT_FALSE(contains(result.messages, MessageCode::against_request)) << lines_of(result.messages);
 }
 
 TEST(ChooseMethod, RefusesWhatMatchRefuses) {

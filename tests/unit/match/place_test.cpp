@@ -45,6 +45,37 @@ TEST(MatchPlace, VerticesAtTheSamePlacesWhateverTheirTriangles) {
     test::expect_part(other.reason, "the vertices of both meshes lie at the same places");
 }
 
+// Surfaces of few large triangles are not in one place because their triangles are large.
+TEST(MatchPlace, CoarseShapesOfOneFrameAreNotTheSameSurface) {
+    const TriangleMesh ball = make_icosphere(0);
+    TriangleMesh spindle = ball;
+    spindle.vertices.col(0) *= 0.7;
+    EXPECT_FALSE(coincides(match_place(ball, spindle)));
+    EXPECT_TRUE(coincides(match_place(ball, ball)));
+}
+
+TEST(MatchPlace, WhatLiesApartIsSaidToBeUnmatched) {
+    TriangleMesh far = make_icosphere(2);
+    far.vertices.col(0).array() += 10;
+    const PlaceResult result = match_place(make_icosphere(2), far);
+    EXPECT_FALSE(coincides(result));
+    EXPECT_EQ(result.confidence.maxCoeff(), 0);
+    test::expect_part(result.sentence, "do not lie in the same place");
+}
+
+// A cone that was never welded: all triangles have a tip of their own at one place.
+TEST(MatchPlace, ManyVerticesAtOnePlaceTakeNoMemoryForEachPairOfThem) {
+    constexpr Index n = 20000;
+    TriangleMesh cone{Points(2 * n, 3), Triangles(n, 3)};
+    for (Index i = 0; i < n; ++i) {
+        const double angle = 6.283185307179586 * i / n;
+        cone.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+        cone.vertices.row(n + i) << 0, 0, 1;
+        cone.triangles.row(i) << i, (i + 1) % n, n + i;
+    }
+    EXPECT_FALSE(match_place(cone, cone).same_vertices);
+}
+
 // Both sides of a seam lie at one place: the faces tell which is which.
 TEST(MatchPlace, VerticesThatLieTogetherAreToldApartByTheirFaces) {
     TriangleMesh ball = make_icosphere(2), half = ball;
