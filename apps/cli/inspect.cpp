@@ -6,6 +6,7 @@
 #include "material_files.hpp"
 
 #include <counterpart/base/progress.hpp>
+#include <counterpart/match/choose_method.hpp>
 #include <counterpart/match/compare.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/transfer/transfer.hpp>
@@ -189,7 +190,12 @@ void run(const InspectCommand& command) {
         for (const Message& message : comparison.messages) text += "  " + named(message, pair) + "\n";
         json["other"] = mesh_json(other_report);
         json["other"]["attributes"] = attributes_json(other_content);
+        const MethodChoice choice = choose_method(mesh, other);
+        text += fmt::format("  'match' takes the method {}, because {}\n", to_string(choice.method),
+                            choice.reason);
         json["comparison"] = comparison_json(comparison);
+        json["comparison"]["method"] = to_string(choice.method);
+        json["comparison"]["reason"] = choice.reason;
     }
     watch.lap("analyze");
     json["seconds"] = to_json(watch.stages());
