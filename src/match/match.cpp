@@ -162,7 +162,8 @@ class Matching {
             result_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
         result_.target_from_source = result_.place->target_from_source;
         result_.confidence = result_.place->confidence;
-        add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
+        if (options_.method == MatchMethod::place)  // else the reason says it
+            add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
         watch_.lap("place");
     }
 
@@ -172,7 +173,7 @@ class Matching {
         Found free = match_with(false);
         if (sure_.empty()) return free;
         Found led = match_with(true);
-        if (!(led.score >= free.score)) return free;
+        if (!(led.score > free.score)) return free;
         differences::keep(sure_, result_.differences->agreement, led.target_from_source,
                           led.source_from_target, led.confidence);
         const Index n_open = static_cast<Index>(std::count(sure_.begin(), sure_.end(), VertexMap::unmatched));
