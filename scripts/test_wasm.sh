@@ -19,8 +19,8 @@ trap 'rm -rf "$user"' EXIT
 (cd "$user" && npm init -y > /dev/null && npm install --no-audit --no-fund "$OLDPWD"/build/wasm/counterpart3d-*.tgz > /dev/null)
 "$COUNTERPART" deform body "$user/a.obj" --subdivisions 1 -q
 "$COUNTERPART" deform "$user/a.obj" "$user/b.obj" --bend 40 --shuffle 2 --truth "$user/truth.txt" -q
-sed -n '/^```js/,/^```/p' javascript/README.md | sed '/^```/,$!d; 1d' | sed '/^```/,$d' | sed 's/console.log(\(.*\)); \/\/.*/console.log(\1.join("\\n"));/' \
-  > "$user/five_lines.mjs"
+sed '1,/^```js/d' javascript/README.md |
+  sed '/^```/,$d; s/console.log(\(.*\)); \/\/.*/console.log(\1.join("\\n"));/' > "$user/five_lines.mjs"
 (cd "$user" && node five_lines.mjs > map.txt && diff map.txt truth.txt)
 cp javascript/test/types.ts "$user/types.mts"
 javascript/node_modules/.bin/tsc --noEmit --strict --module NodeNext --target ES2022 --lib ES2022,DOM "$user/types.mts"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 // What the compiled library (javascript/src) gives.
-import type { Evaluation, MatchResult, TransferredAttribute, ViewerScene } from "./types.js";
+import type { Evaluation, MatchResult, Message, TransferredAttribute, ViewerScene } from "./types.js";
 
 export interface Content {
   vertices(): Float64Array;
@@ -39,7 +39,7 @@ export interface Core {
 export interface Transferred {
   content: Content;
   attributes: TransferredAttribute[];
-  warnings: string[];
+  messages: Message[];
 }
 
 /** Emscripten's files in memory. */

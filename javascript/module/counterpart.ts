@@ -8,6 +8,7 @@ import type {
   Evaluation,
   MatchOptions,
   MatchResult,
+  Message,
   Progress,
   ReadOptions,
   ReorderOptions,
@@ -87,7 +88,7 @@ export class Counterpart {
     target: MeshLike,
     targetFromSource: Int32Array,
     options: { onProgress?: Progress } = {},
-  ): { mesh: Mesh; attributes: TransferredAttribute[]; warnings: string[] } {
+  ): { mesh: Mesh; attributes: TransferredAttribute[]; messages: Message[] } {
     return this.borrow([source, target], ([a, b]) => {
       const { content, ...rest } = reporting(options.onProgress, (step) => this.core.transfer(a, b, targetFromSource, step));
       return { mesh: new Mesh("transferred", content), ...rest };
@@ -100,7 +101,12 @@ export class Counterpart {
   }
 
   /** What `counterpart view` shows, for a page that holds the viewer. */
-  viewerScene(source: MeshLike, target: MeshLike, maps: readonly RunnerUp[], confidence: Float64Array = new Float64Array()): ViewerScene {
+  viewerScene(
+    source: MeshLike,
+    target: MeshLike,
+    maps: readonly RunnerUp[],
+    confidence: Float64Array = new Float64Array(),
+  ): ViewerScene {
     const nameOf = (mesh: MeshLike, otherwise: string) => (mesh instanceof Mesh ? mesh.name : otherwise);
     return this.borrow([source, target], ([a, b]) =>
       valueOf(this.core.viewerScene(a, b, nameOf(source, "source"), nameOf(target, "target"), maps, confidence)),

@@ -10,9 +10,11 @@ export * from "./errors.js";
 export { Mesh } from "./mesh.js";
 export * from "./types.js";
 
-/** Compiles the library once; hand it to `load` and `startWorker`. `from`: the bytes of library.wasm, or its address, by default
- * beside this file. */
-export async function compile(from: URL | BufferSource = new URL("./library.wasm", import.meta.url)): Promise<WebAssembly.Module> {
+/** Compiles the library once; hand it to `load` and `startWorker`. `from`: the bytes of library.wasm, or its address,
+ * by default beside this file. */
+export async function compile(
+  from: URL | BufferSource = new URL("./library.wasm", import.meta.url),
+): Promise<WebAssembly.Module> {
   if (!(from instanceof URL)) return WebAssembly.compile(from);
   if (from.protocol === "file:") {
     const { readFile } = await import(/* @vite-ignore */ "node:" + "fs/promises");

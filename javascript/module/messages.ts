@@ -3,7 +3,16 @@
 // What `RemoteCounterpart` and its worker say to each other.
 
 /** Functions of Counterpart that a worker runs. */
-export type Call = "readMesh" | "makeMesh" | "writeMesh" | "match" | "reorder" | "transfer" | "evaluate" | "viewerScene" | "example";
+export type Call =
+  | "readMesh"
+  | "makeMesh"
+  | "writeMesh"
+  | "match"
+  | "reorder"
+  | "transfer"
+  | "evaluate"
+  | "viewerScene"
+  | "example";
 
 /** Stands for a mesh that the worker holds. */
 export interface MeshNumber {

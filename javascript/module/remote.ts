@@ -8,6 +8,7 @@ import type {
   Evaluation,
   MatchOptions,
   MatchResult,
+  Message,
   Progress,
   ReadOptions,
   ReorderOptions,
@@ -93,7 +94,9 @@ export class RemoteCounterpart {
   }
   async example(kind: Example): Promise<[RemoteMesh, RemoteMesh]> {
     const messages = (await this.ask("example", [kind])) as MeshMessage[];
-    const [source, target] = messages.map((mesh, index) => new Held(mesh, this.worker, { call: "example", given: [kind], index }));
+    const [source, target] = messages.map(
+      (mesh, index) => new Held(mesh, this.worker, { call: "example", given: [kind], index }),
+    );
     return [source, target];
   }
   writeMesh(mesh: RemoteMesh, name: string): Promise<Uint8Array> {
@@ -111,11 +114,11 @@ export class RemoteCounterpart {
     target: RemoteMesh,
     targetFromSource: Int32Array,
     { onProgress, signal }: { onProgress?: Progress } & Stoppable = {},
-  ): Promise<{ mesh: RemoteMesh; attributes: TransferredAttribute[]; warnings: string[] }> {
+  ): Promise<{ mesh: RemoteMesh; attributes: TransferredAttribute[]; messages: Message[] }> {
     const found = (await this.ask("transfer", [source, target, targetFromSource, {}], onProgress, signal)) as {
       mesh: MeshMessage;
       attributes: TransferredAttribute[];
-      warnings: string[];
+      messages: Message[];
     };
     return { ...found, mesh: new Held(found.mesh, this.worker, null) };
   }
@@ -176,7 +179,8 @@ export class RemoteCounterpart {
   private async present(value: unknown): Promise<unknown> {
     if (!(value instanceof Held)) return value;
     if (value.worker !== this.worker || !this.worker) {
-      if (!value.origin) throw new InvalidInput(`the mesh '${value.name}' has gone with the work that was canceled: make it again`);
+      if (!value.origin)
+        throw new InvalidInput(`the mesh '${value.name}' has gone with the work that was canceled: make it again`);
       const { call, given, index } = value.origin;
       const made = await this.ask(call, given);
       value.meshNumber = (index === undefined ? (made as MeshMessage) : (made as MeshMessage[])[index]).meshNumber;

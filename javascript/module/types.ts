@@ -50,6 +50,16 @@ export interface MatchOptions {
   onProgress?: Progress;
 }
 
+/** What the library says: sentences for people, codes and severities for programs. */
+export interface Message {
+  code: string;
+  severity: "notice" | "caution" | "do not use";
+  sentence: string;
+  /** The mesh that it is about, or the map; and the vertices of it (of the map: source vertices), if they are known. */
+  subject: "map" | "source" | "target";
+  vertices: Int32Array;
+}
+
 export interface RunnerUp {
   targetFromSource: Int32Array;
   /** How it differs from the best map. */
@@ -64,13 +74,13 @@ export interface MatchResult {
   /** The method that found the map, and why auto chose it. */
   method: string;
   reason: string;
-  /** "use", "check" or "do not use", and why. */
-  verdict: string;
+  /** Whether to rely on the map, and why. */
+  verdict: "use" | "check" | "do not use";
   verdictReason: string;
-  /** Sentences: what may be wrong, and what to do. */
-  warnings: string[];
-  /** Sentences: what was noticed on the way. */
-  notices: string[];
+  /** What was noticed and what may be wrong. */
+  messages: Message[];
+  /** Where the verdict is not to use the map as it is: what may be the cause, the likeliest first. */
+  causes: Message[];
   /** The meshes have the same connectivity: `reorder` works. */
   isSameConnectivity: boolean;
   nMatched: number;

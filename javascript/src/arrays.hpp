@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Arrays cross the border by copies: JavaScript's are not in WebAssembly's memory, and a view into that ends when it grows.
+// Arrays cross the border by copies: JavaScript's are not in WebAssembly's memory, and a view into that ends
+// when it grows.
 #pragma once
 
+#include <counterpart/base/message.hpp>
 #include <counterpart/map/vertex_map.hpp>
 
 #include <cstddef>
@@ -34,6 +36,21 @@ std::vector<Number> numbers_of(const val& array) {
     std::vector<Number> numbers(array["length"].as<std::size_t>());
     val(emscripten::typed_memory_view(numbers.size(), numbers.data())).template call<void>("set", array);
     return numbers;
+}
+
+/// What the library says, as objects.
+inline val array_of(const std::vector<Message>& messages) {
+    val array = val::array();
+    for (const Message& message : messages) {
+        val fields = val::object();
+        fields.set("code", to_string(message.code));
+        fields.set("severity", to_string(message.severity));
+        fields.set("sentence", message.sentence);
+        fields.set("subject", to_string(message.where.subject));
+        fields.set("vertices", array_of(message.where.vertices));
+        array.call<void>("push", fields);
+    }
+    return array;
 }
 
 /// An array of JavaScript of strings.

@@ -35,8 +35,9 @@ val content_of(const val& vertices, const val& triangles) {
         const std::vector<double> coordinates = numbers_of<double>(vertices);
         const std::vector<Index> corners = numbers_of<Index>(triangles);
         if (coordinates.size() % 3 != 0 || corners.size() % 3 != 0)
-            throw InvalidInput(fmt::format("{} coordinates and {} corners of triangles: both must be three for each",
-                                           coordinates.size(), corners.size()));
+            throw InvalidInput(
+                fmt::format("{} coordinates and {} corners of triangles: both must be three for each",
+                            coordinates.size(), corners.size()));
         Content content;
         content.content.mesh = {PointsView(coordinates.data(), std::ssize(coordinates) / 3, 3),
                                 TrianglesView(corners.data(), std::ssize(corners) / 3, 3)};

@@ -17,8 +17,8 @@ struct Content {
     std::vector<std::string> notices{};  ///< of the reader
 
     MeshView mesh() const { return content.mesh; }
-    emscripten::val vertices() const;   ///< Float64Array
-    emscripten::val triangles() const;  ///< Int32Array
+    emscripten::val vertices() const;    ///< Float64Array
+    emscripten::val triangles() const;   ///< Int32Array
     emscripten::val attributes() const;  ///< names of what it has besides the triangles
     emscripten::val sentences() const;
 };

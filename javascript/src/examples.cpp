@@ -27,7 +27,11 @@ TriangleMesh partner_of(const TriangleMesh& body, const std::string& kind) {
     if (kind == "shuffled") return shuffle(posed, seed).mesh;
     const TriangleMesh remeshed = retriangulate(posed, {.seed = seed}).mesh;
     if (kind == "remeshed") return shuffle(remeshed, seed).mesh;
-    if (kind == "part") return shuffle(cut_by_plane(remeshed, {0, 1, 0}, 0.9).mesh, seed).mesh;
+    if (kind == "part") {
+        const auto heights = remeshed.vertices.col(1);
+        const double knee = heights.minCoeff() + 0.35 * (heights.maxCoeff() - heights.minCoeff());
+        return shuffle(cut_by_plane(remeshed, {0, 1, 0}, knee).mesh, seed).mesh;
+    }
     throw InvalidInput("there is no example '" + kind + "': shuffled, remeshed or part");
 }
 

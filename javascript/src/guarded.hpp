@@ -12,7 +12,8 @@
 
 namespace counterpart::javascript {
 
-/// { value: work() }, or { error: { kind, message } } for what it throws: C++ exceptions are nothing that JavaScript can read.
+/// { value: work() }, or { error: { kind, message } } for what it throws: C++ exceptions are nothing that
+/// JavaScript can read.
 template <class Work>
 emscripten::val guarded(const Work& work) {
     using emscripten::val;
@@ -38,8 +39,9 @@ emscripten::val guarded(const Work& work) {
     } catch (const Canceled& error) {
         return failed("Canceled", error.what());
     } catch (const std::bad_alloc&) {
-        return failed("OutOfMemory",
-                      "there is not enough memory: WebAssembly has 4 GB at most. Use smaller meshes, or the program");
+        return failed(
+            "OutOfMemory",
+            "there is not enough memory: WebAssembly has 4 GB at most. Use smaller meshes, or the program");
     } catch (const std::exception& error) {
         return failed("Failure", error.what());
     }

@@ -60,7 +60,9 @@ const std::map<std::string, Setter>& setters() {
         {"landmarks",
          [](MatchOptions& o, const Json& v) { o.spectral.landmarks = o.partial.landmarks = v.get<Pairs>(); }},
         {"softLandmarks",
-         [](MatchOptions& o, const Json& v) { o.spectral.soft_landmarks = o.partial.soft_landmarks = v.get<bool>(); }},
+         [](MatchOptions& o, const Json& v) {
+             o.spectral.soft_landmarks = o.partial.soft_landmarks = v.get<bool>();
+         }},
         {"excluded", [](MatchOptions& o, const Json& v) { o.spectral.excluded = v.get<Pairs>(); }},
         {"aligned", [](MatchOptions& o, const Json& v) { o.spectral.aligned = v.get<bool>(); }},
         {"up", [](MatchOptions& o, const Json& v) { o.spectral.up = direction_of(v); }},
@@ -70,7 +72,9 @@ const std::map<std::string, Setter>& setters() {
         {"part", [](MatchOptions& o, const Json& v) { o.partial.part = part_of_name(v.get<std::string>()); }},
         {"sameScale", [](MatchOptions& o, const Json& v) { o.partial.same_scale = v.get<bool>(); }},
         {"nAlternatives",
-         [](MatchOptions& o, const Json& v) { o.spectral.n_alternatives = o.partial.n_alternatives = v.get<int>(); }},
+         [](MatchOptions& o, const Json& v) {
+             o.spectral.n_alternatives = o.partial.n_alternatives = v.get<int>();
+         }},
     };
     return all;
 }

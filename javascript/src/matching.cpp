@@ -4,10 +4,10 @@
 #include "content.hpp"
 #include "guarded.hpp"
 #include "match_options.hpp"
-#include "verdict.hpp"
 
 #include <counterpart/evaluation/evaluate.hpp>
 #include <counterpart/match/match.hpp>
+#include <counterpart/match/verdict.hpp>
 
 #include <utility>
 
@@ -43,10 +43,11 @@ val match_contents(const Content& source, const Content& target, const std::stri
                    const val& progress) {
     return guarded([&] {
         MatchOptions options = match_options_of(json);
-        if (!initial.isNull()) options.spectral.initial = {numbers_of<Index>(initial), target.mesh().n_vertices()};
+        if (!initial.isNull())
+            options.spectral.initial = {numbers_of<Index>(initial), target.mesh().n_vertices()};
         options.progress = progress_of(progress);
         const MatchResult result = match(source.mesh(), target.mesh(), options);
-        const Verdict verdict = verdict_on(result, source.mesh());
+        const Verdict found = verdict(result);
         val fields = val::object();
         fields.set("targetFromSource", array_of(result.target_from_source));
         fields.set("confidence", array_of(result.confidence));
@@ -55,10 +56,10 @@ val match_contents(const Content& source, const Content& target, const std::stri
         fields.set("isSameConnectivity", result.exact && result.exact->identical);
         fields.set("nMatched", count_matched(result.target_from_source));
         fields.set("nFilled", result.n_filled);
-        fields.set("verdict", verdict.word);
-        fields.set("verdictReason", verdict.reason);
-        fields.set("warnings", array_of(result.warnings));
-        fields.set("notices", array_of(result.notices));
+        fields.set("verdict", to_string(found.advice));
+        fields.set("verdictReason", reason(found));
+        fields.set("messages", array_of(result.messages));
+        fields.set("causes", array_of(result.causes));
         fields.set("runnerUps", runner_ups_of(result));
         fields.set("seconds", seconds_of(result.stages));
         return fields;

@@ -15,7 +15,8 @@
 namespace counterpart::javascript {
 namespace {
 
-// Images beside the file are not here any more: what it looks like is shown only as far as it holds it itself.
+// Images beside the file are not here any more: what it looks like is shown only as far as it holds it
+// itself.
 ViewerAppearance appearance_of(const Content& content) {
     ViewerAppearance appearance;
     if (!content.content.colors.empty()) appearance.colors = content.content.colors[0];
@@ -35,13 +36,15 @@ val scene_of(const Content& source, const Content& target, const std::string& so
             options.values.push_back({"confidence", std::move(values)});
         options.source_appearance = appearance_of(source);
         options.target_appearance = appearance_of(target);
-        options.up = render::find_camera(source.mesh(), {.direction = "front", .up = render::find_up_axis(source.mesh())})
+        options.up = render::find_camera(source.mesh(),
+                                         {.direction = "front", .up = render::find_up_axis(source.mesh())})
                          .row(1)
                          .transpose();
         const ViewerScene scene = viewer_scene(source.mesh(), target.mesh(), shown, options);
         val fields = val::object();
         fields.set("description", scene.description);
-        fields.set("arrays", array_of(reinterpret_cast<const unsigned char*>(scene.arrays.data()), scene.arrays.size()));
+        fields.set("arrays", array_of(reinterpret_cast<const unsigned char*>(scene.arrays.data()),
+                                      scene.arrays.size()));
         return fields;
     });
 }

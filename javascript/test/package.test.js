@@ -47,7 +47,8 @@ test("what is written is read back, and is what the program writes", () => {
 
 test("colors are transferred", () => {
   const red = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n" +
-    "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n" +
+    "element face 4\nproperty list uchar int vertex_indices\nend_header\n" +
     "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n0 0 1 255 0 0\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   const source = counterpart.readMesh("red.ply", Buffer.from(red));
   const target = counterpart.makeMesh([0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1], source.triangles);
@@ -81,7 +82,12 @@ test("progress is told, never decreases, and cancels", () => {
 });
 
 test("errors are exceptions with the program's sentences", () => {
-  const broken = { "bad.obj": "v 0 0 0\nv 1 0 x\n", "face.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "cut.ply": "ply\nformat", "a.xyz": "1 2 3" };
+  const broken = {
+    "bad.obj": "v 0 0 0\nv 1 0 x\n",
+    "face.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n",
+    "cut.ply": "ply\nformat",
+    "a.xyz": "1 2 3",
+  };
   for (const [name, text] of Object.entries(broken)) {
     writeFileSync(join(folder, name), text);
     assert.throws(

@@ -6,13 +6,13 @@ import { type RemoteCounterpart, startWorker } from "counterpart3d/worker";
 
 const counterpart: Counterpart = await load();
 const a: Mesh = counterpart.readMesh("a.obj", new Uint8Array());
-const result: MatchResult = counterpart.match(a, { vertices: [0, 0, 0], triangles: [] }, { method: "spectral", up: "y", landmarks: [[0, 1]] });
+const arrays = { vertices: [0, 0, 0], triangles: [] };
+const result: MatchResult = counterpart.match(a, arrays, { method: "spectral", up: "y", landmarks: [[0, 1]] });
 const image: number = result.targetFromSource[0];
 const error: Error = new InvalidInput(String(image));
 const remote: RemoteCounterpart = await startWorker();
-const promised: Promise<MatchResult> = remote.match(await remote.example("part").then(([mesh]) => mesh), await remote.makeMesh([], []), {
-  signal: new AbortController().signal,
-});
+const [b, c] = await remote.example("part");
+const promised: Promise<MatchResult> = remote.match(b, c, { signal: new AbortController().signal });
 // @ts-expect-error: no such method
 counterpart.match(a, a, { method: "best" });
 // @ts-expect-error: a landmark is a pair

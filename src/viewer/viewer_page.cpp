@@ -180,7 +180,8 @@ std::string viewer_page(MeshView source, MeshView target, const std::vector<View
     const std::size_t mark = page.find(data_mark);
     std::string html;
     html += page.substr(0, mark);
-    html += "<script type=\"application/json\" id=\"scene\">" + script_safe(scene.description) + "</script>\n";
+    html +=
+        "<script type=\"application/json\" id=\"scene\">" + script_safe(scene.description) + "</script>\n";
     html += "<script type=\"text/plain\" id=\"buffer\">" + to_base64(scene.arrays) + "</script>";
     html += page.substr(mark + data_mark.size());
     return html;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-import { Canceled, type Example, type MatchOptions, type MatchResult, type Pair } from "counterpart3d";
+import { Canceled, type Example, type MatchOptions, type MatchResult, type Message, type Pair } from "counterpart3d";
 import { type RemoteCounterpart, type RemoteMesh, startWorker } from "counterpart3d/worker";
 import { listenForFiles, type MeshFiles, meshesAmong, readFiles, save } from "./files";
 import { showScene } from "./view";
@@ -154,8 +154,8 @@ class Page {
   private async saveTransferred(): Promise<void> {
     const { source, target } = this.meshes;
     await this.saving(async (library) => {
-      const { mesh, warnings } = await library.transfer(source!, target!, this.result!.targetFromSource);
-      this.list("warnings", [...this.result!.warnings, ...warnings]);
+      const { mesh, messages } = await library.transfer(source!, target!, this.result!.targetFromSource);
+      this.listMessages("messages", [...this.result!.messages, ...messages]);
       save("transferred.glb", await library.writeMesh(mesh, "transferred.glb"));
       library.free(mesh);
     });
@@ -177,9 +177,10 @@ class Page {
     verdict.className = result.verdict.replaceAll(" ", "-");
     element("verdict-reason").textContent = result.verdictReason;
     element("summary").textContent = summaryOf(result, seconds);
-    this.list("warnings", result.warnings.filter((warning) => !result.verdictReason.startsWith(warning)));
-    this.list("notices", result.notices);
-    element("notices-box").hidden = result.notices.length === 0;
+    this.listMessages("causes", result.causes);
+    element("causes-box").hidden = result.causes.length === 0;
+    this.listMessages("messages", result.messages);
+    element("messages-box").hidden = result.messages.length === 0;
     const reordered = element<HTMLButtonElement>("save-reordered");
     reordered.disabled = !result.isSameConnectivity;
     reordered.title = reordered.disabled
@@ -188,14 +189,17 @@ class Page {
     const glb = element<HTMLButtonElement>("save-glb");
     const { attributes } = this.meshes.source!;
     glb.disabled = attributes.length === 0;
-    glb.title = glb.disabled ? "The source has no colors, textures, skin or morph targets" : `The target with the source's ${attributes.join(", ")}`;
+    glb.title = glb.disabled
+      ? "The source has no colors, textures, skin or morph targets"
+      : `The target with the source's ${attributes.join(", ")}`;
     element("result").hidden = false;
   }
 
-  private list(id: string, sentences: readonly string[]): void {
-    const items = sentences.map((sentence) => {
+  private listMessages(id: string, messages: readonly Message[]): void {
+    const items = messages.map(({ severity, subject, sentence }) => {
       const item = document.createElement("li");
-      item.textContent = sentence;
+      item.className = severity.replaceAll(" ", "-");
+      item.textContent = subject === "map" ? sentence : `${this.meshes[subject]!.name}: ${sentence}`;
       return item;
     });
     element(id).replaceChildren(...items);

@@ -7,7 +7,11 @@ interface Viewer extends Window {
 }
 
 /** Loads the viewer's frame anew with this scene; `landmarked` is told the pairs that are clicked. */
-export async function showScene(frame: HTMLIFrameElement, scene: ViewerScene, landmarked: (pairs: Pair[]) => void): Promise<void> {
+export async function showScene(
+  frame: HTMLIFrameElement,
+  scene: ViewerScene,
+  landmarked: (pairs: Pair[]) => void,
+): Promise<void> {
   frame.hidden = false;
   await new Promise((loaded) => {
     frame.addEventListener("load", loaded, { once: true });

@@ -9,7 +9,8 @@ export function sizeOf(mesh: { vertices: Float64Array; triangles: Int32Array }):
 }
 
 export function summaryOf(result: MatchResult, seconds: number): string {
-  const matched = `Matched ${count(result.nMatched)} of ${count(result.targetFromSource.length)} vertices by ${result.method} in ${seconds.toFixed(seconds < 10 ? 2 : 0)} s`;
+  const vertices = `${count(result.nMatched)} of ${count(result.targetFromSource.length)} vertices`;
+  const matched = `Matched ${vertices} by ${result.method} in ${seconds.toFixed(seconds < 10 ? 2 : 0)} s`;
   return result.reason ? `${matched}, because ${result.reason}.` : `${matched}.`;
 }
 

@@ -24,11 +24,13 @@ function permutation(n) {
   return items;
 }
 
-/** A binary PLY file of a torus with colors; vertex i has the number order[i]. */
+/** A binary PLY file of a torus with colors, whose squares are cut one way or the other without a pattern: nothing but
+ * the true map fits. Vertex i has the number order[i]. */
 function torus(rings, segments, order, bend) {
   const count = rings * segments;
   const header = Buffer.from(
-    `ply\nformat binary_little_endian 1.0\nelement vertex ${count}\nproperty float x\nproperty float y\nproperty float z\n` +
+    `ply\nformat binary_little_endian 1.0\nelement vertex ${count}\n` +
+      "property float x\nproperty float y\nproperty float z\n" +
       "property uchar red\nproperty uchar green\nproperty uchar blue\n" +
       `element face ${2 * count}\nproperty list uchar int vertex_indices\nend_header\n`,
   );
@@ -44,7 +46,10 @@ function torus(rings, segments, order, bend) {
       body.writeFloatLE(z + bend * Math.sin(2 * x), at + 8);
       body.set([(255 * i) / rings, (255 * j) / segments, 90], at + 12);
       const vertex = (a, b) => order[((i + a) % rings) * segments + ((j + b) % segments)];
-      for (const [k, corners] of [[vertex(0, 0), vertex(1, 0), vertex(1, 1)], [vertex(0, 0), vertex(1, 1), vertex(0, 1)]].entries()) {
+      const square = [vertex(0, 0), vertex(1, 0), vertex(1, 1), vertex(0, 1)];
+      if ((Math.imul(i * segments + j + 1, 2654435761) >>> 16) & 1) square.push(square.shift());
+      const [a, b, c, d] = square;
+      for (const [k, corners] of [[a, b, c], [a, c, d]].entries()) {
         const face = 15 * count + 13 * (2 * (i * segments + j) + k);
         body[face] = 3;
         corners.forEach((corner, c) => body.writeInt32LE(corner, face + 1 + 4 * c));

@@ -164,6 +164,7 @@ test("work is canceled, and begun again", async () => {
   await page.click("#cancel");
   await page.waitForSelector("#cancel", { state: "hidden" });
   assert.ok((await page.isHidden("#result")) && (await page.isHidden("#error")));
+  await page.click("#options summary");
   await page.selectOption("#method", "nearest");
   await page.click("#match");
   await resultOf(page);
@@ -183,7 +184,7 @@ test("a tab is closed while it works", async () => {
 
 test("landmarks are clicked and used", async () => {
   const { page, context: tab } = await start();
-  await page.click("[data-example=part]");
+  await page.click("[data-example=shuffled]");
   const frame = await resultOf(page);
   await frame.check("#picking");
   const box = await page.locator("#viewer").boundingBox();
@@ -196,8 +197,9 @@ test("landmarks are clicked and used", async () => {
     const { scene } = window.counterpart;
     const seen = (side, vertex) => window.counterpart.screenPosition(side, vertex).facing;
     const { image } = scene.maps[0];
-    for (let v = 0; v < image.length; v += 7) if (image[v] >= 0 && seen("source", v) && seen("target", image[v])) return [v, image[v]];
-    return [];
+    const isSeen = (image, v) => image >= 0 && seen("source", v) && seen("target", image);
+    const v = image.findIndex(isSeen);
+    return [v, image[v]];
   });
   await click("source", from);
   await click("target", to);
@@ -206,6 +208,7 @@ test("landmarks are clicked and used", async () => {
   await page.click("#match-again");
   await page.waitForSelector("#cancel:not([hidden])");
   await resultOf(page);
+  assert.match(await text(page, "summary"), /by spectral in/);
   await tab.close();
 });
 
