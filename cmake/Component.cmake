@@ -9,7 +9,10 @@ function(counterpart_add_component name)
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE src)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name}
-    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  if(NOT EMSCRIPTEN)  # which links all into one module
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   counterpart_configure_target(${target})
   counterpart_compile_by_folder(${target})
   if(NOT COUNTERPART_PRECOMPILED_HEADERS)
@@ -17,8 +20,10 @@ function(counterpart_add_component name)
   elseif(name STREQUAL "core")
     target_precompile_headers(${target} PRIVATE
       <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <Eigen/SparseCore> <algorithm> <array> <cmath> <filesystem> <functional> <memory>
-      <numeric> <optional> <string> <utility> <vector> <fmt/format.h>
-      <tbb/parallel_for.h> <tbb/parallel_invoke.h> <tbb/task_arena.h>)
+      <numeric> <optional> <string> <utility> <vector> <fmt/format.h>)
+    if(COUNTERPART_THREADS STREQUAL "tbb")
+      target_precompile_headers(${target} PRIVATE <tbb/parallel_for.h> <tbb/parallel_invoke.h> <tbb/task_arena.h>)
+    endif()
   else()
     target_precompile_headers(${target} REUSE_FROM counterpart_core)
   endif()

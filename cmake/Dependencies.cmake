@@ -1,13 +1,21 @@
 # Every dependency of the library, in one place. All are packages of Debian 12 and 13; scripts/packages.txt lists them.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(TBB 2021 REQUIRED)
-find_package(fmt 9 REQUIRED)
-find_package(embree REQUIRED CONFIG)
-if(embree_VERSION VERSION_LESS 3.13)
-  message(FATAL_ERROR "counterpart needs Embree 3.13 or newer, this is ${embree_VERSION} (${embree_DIR})")
+set(threads Threads::Threads)
+if(COUNTERPART_THREADS STREQUAL "tbb")
+  find_package(TBB 2021 REQUIRED)
+  list(PREPEND threads TBB::tbb)
 endif()
-find_package(PNG REQUIRED)
+find_package(fmt 9 REQUIRED)
+set(pictures)
+if(COUNTERPART_PICTURES)
+  find_package(embree REQUIRED CONFIG)
+  if(embree_VERSION VERSION_LESS 3.13)
+    message(FATAL_ERROR "counterpart needs Embree 3.13 or newer, this is ${embree_VERSION} (${embree_DIR})")
+  endif()
+  find_package(PNG REQUIRED)
+  set(pictures embree PNG::PNG)
+endif()
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED CONFIG)
 
@@ -34,11 +42,11 @@ function(counterpart_hidden_libraries variable)
   set(${variable} $<BUILD_INTERFACE:${backends}> ${hidden_LIBRARIES} PARENT_SCOPE)
 endfunction()
 counterpart_hidden_libraries(COUNTERPART_CORE_LIBRARIES
-  INCLUDES ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads)
+  INCLUDES ${NANOFLANN_INCLUDE_DIR} ${SPECTRA_INCLUDE_DIR} LIBRARIES fmt::fmt ${threads})
 counterpart_hidden_libraries(COUNTERPART_IO_LIBRARIES
-  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads ZLIB::ZLIB pugixml::pugixml)
+  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES fmt::fmt ${threads} ZLIB::ZLIB pugixml::pugixml)
 counterpart_hidden_libraries(COUNTERPART_RENDER_LIBRARIES
-  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES TBB::tbb fmt::fmt Threads::Threads embree PNG::PNG)
+  INCLUDES ${NLOHMANN_JSON_INCLUDE_DIR} LIBRARIES fmt::fmt ${threads} ${pictures})
 
 # All of them, for the project's own programs and tests.
 add_library(counterpart_backends INTERFACE)

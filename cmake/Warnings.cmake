@@ -12,6 +12,15 @@ function(counterpart_configure_target target)
     $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>
     # The same bytes out on every x86-64 machine: no contraction into fused multiply-adds.
     -ffp-contract=off)
+  if(EMSCRIPTEN)
+    # What the standard library of Emscripten 3.1.6 lacks.
+    target_include_directories(${target} SYSTEM BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/javascript/libcxx)
+  endif()
+  if(COUNTERPART_THREADS STREQUAL "plain")
+    target_compile_definitions(${target} PRIVATE COUNTERPART_PLAIN_THREADS)
+  elseif(COUNTERPART_THREADS STREQUAL "none")
+    target_compile_definitions(${target} PRIVATE COUNTERPART_NO_THREADS)
+  endif()
   if(COUNTERPART_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
@@ -21,9 +30,5 @@ function(counterpart_configure_target target)
       # What the address sanitizer or the hardware catches as well, at a third of the compile time.
       -fno-sanitize=null,alignment,object-size,vptr)
     target_link_options(${target} PUBLIC -fsanitize=${COUNTERPART_SANITIZER})
-    if(COUNTERPART_SANITIZER MATCHES thread)
-      # Debian's TBB is not instrumented: see src/base/plain_threads.hpp.
-      target_compile_definitions(${target} PUBLIC COUNTERPART_PLAIN_THREADS)
-    endif()
   endif()
 endfunction()

@@ -4,7 +4,7 @@
 #
 # Everything: the gate (.ci/run), then what only this covers. A release needs it, and a change of what it alone covers
 # (CONTRIBUTING.md lists that). scripts/check_all.sh [STEP...] runs some of the steps, in this order:
-#   gate sanitizers default benchmarks consumers python docs examples viewer wheels debian fuzz
+#   gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels debian fuzz
 # `debian` needs root and debootstrap. Goes on after a step that fails, and names them all at the end. Hours on two cores.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -23,6 +23,7 @@ python() { scripts/test_python.sh; }
 docs() { scripts/docs.sh; }
 examples() { scripts/examples.sh; }
 viewer() { scripts/test_viewer.sh; }
+wasm() { scripts/wasm.sh && scripts/test_wasm.sh; }
 # With the interpreters of both wheels, where they are installed: that of Debian 12, and 3.12 or newer.
 wheels() {
   local pythons=(python3) newer
@@ -34,7 +35,7 @@ debian() { scripts/test_debian.sh bookworm && scripts/test_debian.sh trixie; }
 # Ten minutes, shared by all targets.
 fuzz() { scripts/fuzz.sh 33; }
 
-steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wheels debian fuzz}
+steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels debian fuzz}
 failed=()
 for step in $steps; do
   echo "=== $step"

@@ -16,7 +16,9 @@
 #include <mutex>
 #include <string>
 
-#ifdef COUNTERPART_PLAIN_THREADS
+#if defined(COUNTERPART_NO_THREADS)
+#include "base/no_threads.hpp"
+#elif defined(COUNTERPART_PLAIN_THREADS)
 #include "base/plain_threads.hpp"
 #else
 #include "base/tbb_threads.hpp"
@@ -24,7 +26,9 @@
 
 namespace counterpart::base {
 
-#ifdef COUNTERPART_PLAIN_THREADS
+#if defined(COUNTERPART_NO_THREADS)
+namespace threads = no_threads;
+#elif defined(COUNTERPART_PLAIN_THREADS)
 namespace threads = plain_threads;
 #else
 namespace threads = tbb_threads;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 
 namespace counterpart::base {
@@ -17,6 +18,7 @@ namespace counterpart::base {
 struct WorkState {
     std::atomic<double> fraction = 0;
     std::atomic<bool> canceled = false;
+    std::function<void()> reached{};  ///< called after each step, where the one that works also reports
 };
 
 /// A share [first, last] of the whole work. Copies speak of the same work; any thread may.
@@ -54,6 +56,7 @@ class ProgressRange {
         double before = state_->fraction;
         while (before < now && !state_->fraction.compare_exchange_weak(before, now)) {
         }
+        if (state_->reached) state_->reached();
     }
     /// For functions that report themselves.
     Progress callback() const {
@@ -70,12 +73,23 @@ class ProgressRange {
 };
 
 /// Returns work(range). With a callback the work runs on a thread of its own, and this one calls `progress`
-/// a few times a second with what the work has reached, and at last with 1.
+/// a few times a second with what the work has reached, and at last with 1. Where there is one thread only,
+/// it reports between the steps of its work.
 template <class Work>
 auto with_progress(const Progress& progress, const Work& work) {
     if (!progress) return work(ProgressRange());
     constexpr std::chrono::milliseconds interval(30);
     WorkState state;
+#ifdef COUNTERPART_NO_THREADS
+    auto last = std::chrono::steady_clock::now() - interval;
+    state.reached = [&] {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last < interval) return;
+        last = now;
+        report_progress(progress, state.fraction);
+    };
+    auto result = work(ProgressRange(state));
+#else
     auto running = std::async(std::launch::async, [&] { return work(ProgressRange(state)); });
     try {
         do report_progress(progress, state.fraction);
@@ -85,6 +99,7 @@ auto with_progress(const Progress& progress, const Work& work) {
         throw;  // the future's destructor waits for the work to notice
     }
     auto result = running.get();
+#endif
     report_progress(progress, 1);
     return result;
 }

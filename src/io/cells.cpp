@@ -89,7 +89,7 @@ namespace {
 MeshFile surface_of_tetrahedra(const Cells& cells) {
     MeshFile result;
     TetrahedralMesh solid{
-        PointsView(cells.coordinates.data(), cells.n_vertices(), 3),
+        PointsView(cells.coordinates.data(), static_cast<Eigen::Index>(cells.n_vertices()), 3),
         Eigen::Map<const Tetrahedra>(cells.tetrahedra.data(), std::ssize(cells.tetrahedra) / 4, 4)};
     result.mesh.left_out = place_left_out(solid.vertices);
     const Vector volumes = tetrahedron_volumes(solid);
@@ -112,7 +112,7 @@ MeshFile surface_of_tetrahedra(const Cells& cells) {
 }
 
 MeshFile surface_of_faces(const Cells& cells) {
-    Points points = PointsView(cells.coordinates.data(), cells.n_vertices(), 3);
+    Points points = PointsView(cells.coordinates.data(), static_cast<Eigen::Index>(cells.n_vertices()), 3);
     std::vector<Index> left_out = place_left_out(points);
     MeshFile result{cut_into_triangles(points, cells.face_sizes, cells.face_corners), {}};
     result.mesh.left_out = std::move(left_out);

@@ -9,6 +9,10 @@
 #include "io/vtk_data.hpp"
 #include "io/xml.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
 #include <fmt/format.h>
 
 namespace counterpart::io {
@@ -108,7 +112,10 @@ class GiftiReader {
             fail(fmt::format("arrays of {} dimensions are not supported", dimensionality));
         array.rows = dimension(node, "Dim0");
         if (dimensionality == 2) array.columns = dimension(node, "Dim1");
-        constexpr std::size_t most = std::size_t{1} << 33U;  // no product that overflows
+        constexpr std::uint64_t numbers = std::uint64_t{1} << 33U, bytes = 8;
+        // No product that overflows.
+        constexpr std::uint64_t most =
+            std::min<std::uint64_t>(numbers, std::numeric_limits<std::size_t>::max() / bytes);
         if (array.columns > 0 && array.rows > most / array.columns)
             fail(fmt::format("an array of {} x {} numbers is too large", array.rows, array.columns));
         array.type = type_of(node.attribute("DataType").value());

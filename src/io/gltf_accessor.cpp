@@ -131,12 +131,12 @@ Matrix read_accessor(const GltfDocument& document, std::int64_t index, std::stri
     if (accessor.contains("bufferView")) {
         Rows rows = rows_in_view(document, accessor, component, width->second, count, what);
         rows.normalized = normalized;
-        values.resize(count, width->second);
+        values.resize(static_cast<Eigen::Index>(count), width->second);
         for (Eigen::Index i = 0; i < values.rows(); ++i)
             for (int c = 0; c < width->second; ++c) values(i, c) = rows.at(static_cast<std::size_t>(i), c);
     } else {
         if (!accessor.contains("sparse")) document.fail(fmt::format("{} has no data", what));
-        values = Matrix::Zero(count, width->second);
+        values = Matrix::Zero(static_cast<Eigen::Index>(count), width->second);
     }
     if (accessor.contains("sparse"))
         put_in_sparse(document, accessor["sparse"], component, normalized, values, what);

@@ -80,7 +80,7 @@ Matrix at_corners(const CornerAttribute& attribute, const std::vector<std::int64
     Matrix values = Matrix::Ones(static_cast<Eigen::Index>(corners.size()), attribute.values.cols());
     bool any = false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Index row = attribute.corners(corners[i] / 3, corners[i] % 3);
+        const Index row = attribute.corners(static_cast<Eigen::Index>(corners[i] / 3), corners[i] % 3);
         if (row < 0) continue;
         any = true;
         values.row(static_cast<Eigen::Index>(i)) = attribute.values.row(row);

@@ -8,15 +8,15 @@
 
 namespace counterpart::io {
 
-std::optional<std::string> inflate(std::string_view bytes, std::size_t size) {
-    constexpr std::size_t most_per_byte = 1032;  // of deflate (zlib, "Technical details")
+std::optional<std::string> inflate(std::string_view bytes, std::uint64_t size) {
+    constexpr std::uint64_t most_per_byte = 1032;  // of deflate (zlib, "Technical details")
     constexpr int any_header = 32;
     if (size / most_per_byte > bytes.size() || bytes.size() > std::numeric_limits<uInt>::max() ||
         size > std::numeric_limits<uInt>::max())
         return std::nullopt;
     z_stream stream = {};
     if (inflateInit2(&stream, MAX_WBITS + any_header) != Z_OK) return std::nullopt;
-    std::string result(size, '\0');
+    std::string result(static_cast<std::size_t>(size), '\0');
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream.avail_in = static_cast<uInt>(bytes.size());
     stream.next_out = reinterpret_cast<Bytef*>(result.data());

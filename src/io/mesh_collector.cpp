@@ -14,7 +14,7 @@ MeshFile MeshCollector::finish() {
     const auto n_corners = static_cast<std::int64_t>(corners_.size());
     if (n_corners > max_count || n_vertices() > max_count)
         throw InvalidInput("the mesh has more than 2147483647 vertices or corners of faces");
-    Points points = PointsView(coordinates_.data(), n_vertices(), 3);
+    Points points = PointsView(coordinates_.data(), static_cast<Eigen::Index>(n_vertices()), 3);
     std::vector<Index> left_out = place_left_out(points);
     MeshFile result{cut_into_triangles(points, sizes_, corners_), {}};
     result.mesh.left_out = std::move(left_out);

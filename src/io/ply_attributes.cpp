@@ -71,7 +71,7 @@ struct CornerHash {
             hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * odd;
             hash ^= hash >> 32U;
         }
-        return hash;
+        return static_cast<std::size_t>(hash);
     }
 };
 

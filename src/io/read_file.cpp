@@ -24,7 +24,7 @@ std::string read_whole_file(const std::filesystem::path& file) {
     // The size is only a hint: pipes have none.
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     std::string bytes;
-    if (!ignored) bytes.reserve(size);
+    if (!ignored) bytes.reserve(static_cast<std::size_t>(size));
     std::array<char, 1 << 16> block;
     while (const std::size_t count = std::fread(block.data(), 1, block.size(), stream.get()))
         bytes.append(block.data(), count);

@@ -108,7 +108,7 @@ MeshFile read_stl(std::string_view bytes, const std::string& name, bool strict) 
     AttributedMesh facets;
     TriangleMesh& corners = facets.mesh;
     corners = collector.finish().mesh;
-    corners.triangles.resize(n_corners / 3, 3);
+    corners.triangles.resize(static_cast<Eigen::Index>(n_corners / 3), 3);
     for (Index t = 0; t < corners.n_triangles(); ++t) corners.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
     if (strict && !corners.left_out.empty())
         throw IoError(fmt::format("{}: triangle {} has a coordinate that is no finite number", name,

@@ -80,10 +80,10 @@ class LegacyReader {
                                      std::string_view what) {
         const auto type = legacy_vtk_type(type_name);
         if (!type) text_.fail(fmt::format("the {} are of type {}, which is not supported", what, type_name));
-        const auto n = static_cast<std::size_t>(count);
         const std::size_t size = is_binary_ ? size_of(*type) : 2;
-        if (n > (text_.remaining() + 1) / size)
-            text_.fail(fmt::format("{} {} are announced, more than the file has room for", n, what));
+        if (static_cast<std::uint64_t>(count) > (text_.remaining() + 1) / size)
+            text_.fail(fmt::format("{} {} are announced, more than the file has room for", count, what));
+        const auto n = static_cast<std::size_t>(count);
         text_.next_line();
         at_line_begin_ = is_binary_ || n == 0;
         if (is_binary_) return numbers_of(text_.take(n * size, what), *type, std::endian::big);
@@ -127,7 +127,10 @@ class LegacyReader {
     }
 
     CellRows read_sized(std::int64_t n, std::int64_t size, int line) {
-        const std::size_t bytes = static_cast<std::size_t>(size) * size_of(NumberType::int32);
+        const std::size_t each = size_of(NumberType::int32);
+        if (static_cast<std::uint64_t>(size) > text_.remaining() / each)
+            text_.fail("the cells are announced larger than the rest of the file");
+        const std::size_t bytes = static_cast<std::size_t>(size) * each;
         const std::vector<double> numbers =
             numbers_of(text_.take(bytes, "the cells"), NumberType::int32, std::endian::big);
         std::vector<double> offsets{0}, vertices;

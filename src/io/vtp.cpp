@@ -197,7 +197,7 @@ class XmlReader {
     std::string appended_bytes(pugi::xml_node node, const std::string& what) const {
         const std::uint64_t offset = node.attribute("offset").as_ullong(~0ULL);
         if (offset > appended_.size()) fail(fmt::format("'{}' lies beyond the end of the file", shown(what)));
-        const std::string_view bytes = appended_.substr(offset);
+        const std::string_view bytes = appended_.substr(static_cast<std::size_t>(offset));
         if (!appended_is_raw_) return inline_bytes(bytes.substr(0, bytes.find('<')), what);
         if (bytes.size() < header_size_) fail(fmt::format("'{}' is cut off", shown(what)));
         if (!is_compressed_) return without_header(bytes, what);
@@ -210,7 +210,7 @@ class XmlReader {
     std::string without_header(std::string_view bytes, const std::string& what) const {
         if (bytes.size() < header_size_ || header_number(bytes, 0) > bytes.size() - header_size_)
             fail(fmt::format("'{}' is cut off", shown(what)));
-        return std::string(bytes.substr(header_size_, header_number(bytes, 0)));
+        return std::string(bytes.substr(header_size_, static_cast<std::size_t>(header_number(bytes, 0))));
     }
 
     // Of a header: number of blocks, size of a block, size of the last one if it is not whole, then the
@@ -227,8 +227,9 @@ class XmlReader {
         const std::uint64_t whole = header_number(header, 1), last = header_number(header, 2);
         std::string bytes;
         for (std::uint64_t i = 0; i < n_blocks; ++i) {
-            const std::uint64_t compressed = header_number(header, 3 + i);
-            if (compressed > data.size()) fail(fmt::format("'{}' is cut off", shown(what)));
+            const std::uint64_t announced = header_number(header, 3 + static_cast<std::size_t>(i));
+            if (announced > data.size()) fail(fmt::format("'{}' is cut off", shown(what)));
+            const auto compressed = static_cast<std::size_t>(announced);
             const auto block =
                 inflate(data.substr(0, compressed), i + 1 == n_blocks && last > 0 ? last : whole);
             if (!block) fail(fmt::format("'{}' is damaged: zlib cannot unpack it", shown(what)));

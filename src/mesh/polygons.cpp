@@ -44,7 +44,7 @@ TriangleMesh cut_into_triangles(PointsView vertices, std::span<const Index> size
         mesh.triangles = Eigen::Map<const Triangles>(corners.data(), std::ssize(sizes), 3);
         return mesh;
     }
-    const auto n_triangles = n_corners - 2 * std::ssize(sizes);
+    const auto n_triangles = static_cast<Eigen::Index>(n_corners) - 2 * std::ssize(sizes);
     mesh.triangles.resize(n_triangles, 3);
     mesh.polygons.corners.resize(n_triangles, 3);
     mesh.polygons.first = {0};

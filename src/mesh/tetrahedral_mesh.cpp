@@ -112,7 +112,7 @@ TetrahedralShuffleResult shuffle(const TetrahedralMesh& mesh, std::uint64_t seed
     const std::vector<Index> row = random_permutation(mesh.n_tetrahedra(), random);
     constexpr std::array<std::array<int, 4>, 3> even = {{{0, 1, 2, 3}, {1, 0, 3, 2}, {1, 2, 0, 3}}};
     for (Index t = 0; t < mesh.n_tetrahedra(); ++t) {
-        const std::array<int, 4>& order = even[random.below(even.size())];
+        const std::array<int, 4>& order = even[static_cast<std::size_t>(random.below(even.size()))];
         for (int c = 0; c < 4; ++c)
             result.mesh.tetrahedra(row[static_cast<std::size_t>(t)], c) =
                 place[static_cast<std::size_t>(mesh.tetrahedra(t, order[static_cast<std::size_t>(c)]))];

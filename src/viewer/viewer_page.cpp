@@ -136,16 +136,16 @@ void require_fit(const ViewerOptions& options, MeshView source, MeshView target)
 }
 
 // JSON that may stand inside a <script> element: nothing in it can end the element.
-std::string script_safe(const Json& json) {
-    std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace), safe;
+std::string script_safe(const std::string& text) {
+    std::string safe;
     for (const char c : text) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return safe;
 }
 
 }  // namespace
 
-std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
-                        const ViewerOptions& options) {
+ViewerScene viewer_scene(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
+                         const ViewerOptions& options) {
     require_valid(source);
     require_valid(target);
     if (maps.empty()) throw InvalidInput("there is no map to view; give at least one");
@@ -170,13 +170,19 @@ std::string viewer_page(MeshView source, MeshView target, const std::vector<View
     scene["view_from_source"] = to_json(upright(options.up));
     scene["source_from_target"] =
         to_json(source_from_target_rotation(source, target, maps.front().target_from_source));
+    return {scene.dump(-1, ' ', true, Json::error_handler_t::replace), buffer.bytes()};
+}
 
+std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
+                        const ViewerOptions& options) {
+    const ViewerScene scene = viewer_scene(source, target, maps, options);
     const std::string_view page = viewer::page_template();
     const std::size_t mark = page.find(data_mark);
     std::string html;
     html += page.substr(0, mark);
-    html += "<script type=\"application/json\" id=\"scene\">" + script_safe(scene) + "</script>\n";
-    html += "<script type=\"text/plain\" id=\"buffer\">" + to_base64(buffer.bytes()) + "</script>";
+    html +=
+        "<script type=\"application/json\" id=\"scene\">" + script_safe(scene.description) + "</script>\n";
+    html += "<script type=\"text/plain\" id=\"buffer\">" + to_base64(scene.arrays) + "</script>";
     html += page.substr(mark + data_mark.size());
     return html;
 }

@@ -230,6 +230,8 @@ export class App {
 
   private showLandmarks(): void {
     this.panel.showLandmarks(this.landmarks.pairs.length, this.landmarks.isWaiting ? "now its counterpart" : "");
+    // For a page that matches again with them.
+    window.dispatchEvent(new CustomEvent("landmarks", { detail: this.landmarks.pairs }));
     this.requestFrame("overlay");
   }
 

@@ -110,11 +110,17 @@ function readAppearance(json: MeshJson, buffer: ArrayBuffer): AppearanceData | n
   };
 }
 
+/** The scene that the page holds. */
 export function readScene(): SceneData {
-  const json = JSON.parse(elementText("scene"));
+  const description = JSON.parse(elementText("scene"));
   const text = document.getElementById("buffer");
   const buffer = decodeBase64(elementText("buffer"));
   text?.remove(); // frees megabytes that are not needed again
+  return sceneOf(description, buffer);
+}
+
+/** The scene of its description and of the arrays that this speaks of. */
+export function sceneOf(json: any, buffer: ArrayBuffer): SceneData {
   const source = readMesh(json.source, buffer);
   const target = readMesh(json.target, buffer);
   return {

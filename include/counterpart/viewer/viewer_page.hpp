@@ -48,6 +48,16 @@ struct ViewerOptions {
     Index base_vertex = -1;
 };
 
+/// What a viewer shows: the meshes and maps as it reads them.
+struct ViewerScene {
+    std::string description;  ///< JSON, which says where in `arrays` everything is
+    std::string arrays;       ///< one after the other, each at a multiple of four bytes, little-endian
+};
+
+/// The scene by itself, for a page that holds the viewer already. As viewer_page.
+ViewerScene viewer_scene(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
+                         const ViewerOptions& options = {});
+
 /// One HTML file that shows the two meshes side by side with the maps between them, in any browser with WebGL
 /// 2 and without a network: the prebuilt viewer with meshes and maps embedded as base64. Positions are
 /// rounded to 1/65535 of their mesh's box; indices are exact. The target is initially rotated so that the

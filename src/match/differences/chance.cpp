@@ -41,7 +41,7 @@ std::vector<DartPair> random_pairs(const std::vector<Index>& triangles, const Pa
     Random random(tuning.chance_seed);
     std::vector<DartPair> pairs;
     for (std::size_t trial = 0; trial < tuning.chance_trials && !darts.empty(); ++trial) {
-        const auto [color, dart] = darts[random.below(darts.size())];
+        const auto [color, dart] = darts[static_cast<std::size_t>(random.below(darts.size()))];
         const auto first = std::lower_bound(darts.begin(), darts.end(), std::pair(color, Dart{0})),
                    last = std::upper_bound(first, darts.end(), std::pair(color, no_dart));
         const Dart other = first[static_cast<std::ptrdiff_t>(random.below(to_size(last - first)))].second;

@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 namespace counterpart::spectral_match {

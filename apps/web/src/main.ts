@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+import { Canceled, type Example, type MatchOptions, type MatchResult, type Message, type Pair } from "counterpart3d";
+import { type RemoteCounterpart, type RemoteMesh, startWorker } from "counterpart3d/worker";
+import { listenForFiles, type MeshFiles, meshesAmong, readFiles, save } from "./files";
+import { showScene } from "./view";
+import { sizeOf, summaryOf, timeLeft } from "./words";
+
+const readable = [".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".msh", ".mesh", ".vtk", ".vtp", ".gii", ".ele", ".poly"];
+const sides = ["source", "target"] as const;
+type Side = (typeof sides)[number];
+
+function element<Kind extends HTMLElement = HTMLElement>(id: string): Kind {
+  return document.getElementById(id) as Kind;
+}
+const valueOf = (id: string) => element<HTMLSelectElement>(id).value;
+const isChecked = (id: string) => element<HTMLInputElement>(id).checked;
+
+/** Holds what was dropped and found, and keeps the page to it. */
+class Page {
+  private readonly library: Promise<RemoteCounterpart> = startWorker();
+  private readonly meshes: Partial<Record<Side, RemoteMesh>> = {};
+  private landmarks: Pair[] = [];
+  private running: AbortController | null = null;
+  private result: MatchResult | null = null;
+
+  constructor() {
+    this.library.catch((error) => this.fail(error));
+    for (const side of sides) {
+      listenForFiles(element(`${side}-drop`), element<HTMLInputElement>(`${side}-file`), (files) => void this.take(side, files));
+    }
+    for (const button of document.querySelectorAll<HTMLButtonElement>("[data-example]")) {
+      button.addEventListener("click", () => void this.takeExample(button.dataset.example as Example));
+    }
+    element("input").addEventListener("submit", (event) => {
+      event.preventDefault();
+      void this.match([]);
+    });
+    element("cancel").addEventListener("click", () => this.running?.abort());
+    element("match-again").addEventListener("click", () => void this.match(this.landmarks));
+    element("save-map").addEventListener("click", () => this.saveMap());
+    element("save-reordered").addEventListener("click", () => void this.saveReordered());
+    element("save-glb").addEventListener("click", () => void this.saveTransferred());
+  }
+
+  // ---- what is matched ----
+
+  /** Two meshes at once are source and target, wherever they are dropped. */
+  private async take(side: Side, files: File[]): Promise<void> {
+    const found = meshesAmong(files, readable);
+    if (found.length > 1) {
+      for (const [i, each] of sides.entries()) await this.read(each, found[i]);
+    } else {
+      await this.read(side, found[0]);
+    }
+  }
+
+  private async read(side: Side, files: MeshFiles): Promise<void> {
+    this.clear();
+    delete this.meshes[side];
+    element(`${side}-name`).textContent = `reading ${files.mesh.name} ...`;
+    try {
+      this.hold(side, await readFiles(await this.library, files));
+    } catch (error) {
+      element(`${side}-name`).textContent = "Drop a mesh here, or choose a file";
+      this.fail(error);
+    }
+    this.update();
+  }
+
+  private async takeExample(kind: Example): Promise<void> {
+    this.clear();
+    try {
+      const pair = await (await this.library).example(kind);
+      for (const [i, side] of sides.entries()) this.hold(side, pair[i]);
+      await this.match([]);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  private hold(side: Side, mesh: RemoteMesh): void {
+    this.meshes[side] = mesh;
+    element(`${side}-name`).textContent = [`${mesh.name}: ${sizeOf(mesh)}`, ...mesh.notices].join(". ");
+  }
+
+  // ---- matching ----
+
+  private options(landmarks: Pair[]): MatchOptions {
+    return {
+      method: valueOf("method") as NonNullable<MatchOptions["method"]>,
+      part: valueOf("part") as NonNullable<MatchOptions["part"]>,
+      sameScale: isChecked("same-scale"),
+      aligned: isChecked("aligned"),
+      allowMirror: isChecked("allow-mirror"),
+      ...(landmarks.length > 0 && { landmarks }),
+    };
+  }
+
+  private async match(landmarks: Pair[]): Promise<void> {
+    const { source, target } = this.meshes;
+    if (!source || !target || this.running) return;
+    this.clear();
+    this.running = new AbortController();
+    this.update();
+    const start = performance.now();
+    const seconds = () => (performance.now() - start) / 1000;
+    try {
+      const library = await this.library;
+      this.result = await library.match(source, target, {
+        ...this.options(landmarks),
+        signal: this.running.signal,
+        onProgress: (fraction) => {
+          element<HTMLProgressElement>("bar").value = fraction;
+          element("left").textContent = timeLeft(fraction, seconds());
+        },
+      });
+      this.say(this.result, seconds());
+      const { targetFromSource, confidence, runnerUps } = this.result;
+      const maps = [{ targetFromSource, description: "match" }, ...runnerUps];
+      const scene = await library.viewerScene(source, target, maps, confidence);
+      await showScene(element<HTMLIFrameElement>("viewer"), scene, (pairs) => this.hear(pairs));
+    } catch (error) {
+      this.fail(error);
+    }
+    this.running = null;
+    this.update();
+  }
+
+  private hear(pairs: Pair[]): void {
+    this.landmarks = pairs;
+    const again = element("match-again");
+    again.hidden = pairs.length === 0;
+    again.textContent = `Match again with ${pairs.length} ${pairs.length === 1 ? "landmark" : "landmarks"}`;
+  }
+
+  // ---- downloads ----
+
+  private saveMap(): void {
+    if (this.result) save("map.txt", [...this.result.targetFromSource, ""].join("\n"));
+  }
+
+  private async saveReordered(): Promise<void> {
+    const { source, target } = this.meshes;
+    await this.saving(async (library) => {
+      const mesh = await library.reorder(source!, target!, { allowMirror: isChecked("allow-mirror") });
+      const name = /\.(off|obj|ply|gltf|glb)$/i.test(target!.name) ? target!.name : `${target!.name}.obj`;
+      const written = `reordered_${name.replace(/\.gltf$/i, ".glb")}`;
+      save(written, await library.writeMesh(mesh, written));
+      library.free(mesh);
+    });
+  }
+
+  private async saveTransferred(): Promise<void> {
+    const { source, target } = this.meshes;
+    await this.saving(async (library) => {
+      const { mesh, messages } = await library.transfer(source!, target!, this.result!.targetFromSource);
+      this.listMessages("messages", [...this.result!.messages, ...messages]);
+      save("transferred.glb", await library.writeMesh(mesh, "transferred.glb"));
+      library.free(mesh);
+    });
+  }
+
+  private async saving(work: (library: RemoteCounterpart) => Promise<void>): Promise<void> {
+    try {
+      await work(await this.library);
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  // ---- words ----
+
+  private say(result: MatchResult, seconds: number): void {
+    const verdict = element("verdict");
+    verdict.textContent = result.verdict;
+    verdict.className = result.verdict.replaceAll(" ", "-");
+    element("verdict-reason").textContent = result.verdictReason;
+    element("summary").textContent = summaryOf(result, seconds);
+    this.listMessages("causes", result.causes);
+    element("causes-box").hidden = result.causes.length === 0;
+    this.listMessages("messages", result.messages);
+    element("messages-box").hidden = result.messages.length === 0;
+    const reordered = element<HTMLButtonElement>("save-reordered");
+    reordered.disabled = !result.isSameConnectivity;
+    reordered.title = reordered.disabled
+      ? "Only meshes of the same connectivity have a common order"
+      : "The target's shape in the source's vertex order";
+    const glb = element<HTMLButtonElement>("save-glb");
+    const { attributes } = this.meshes.source!;
+    glb.disabled = attributes.length === 0;
+    glb.title = glb.disabled
+      ? "The source has no colors, textures, skin or morph targets"
+      : `The target with the source's ${attributes.join(", ")}`;
+    element("result").hidden = false;
+  }
+
+  private listMessages(id: string, messages: readonly Message[]): void {
+    const items = messages.map(({ severity, subject, sentence }) => {
+      const item = document.createElement("li");
+      item.className = severity.replaceAll(" ", "-");
+      item.textContent = subject === "map" ? sentence : `${this.meshes[subject]!.name}: ${sentence}`;
+      return item;
+    });
+    element(id).replaceChildren(...items);
+  }
+
+  private fail(error: unknown): void {
+    if (error instanceof Canceled) return;
+    element("error").textContent = error instanceof Error ? error.message : String(error);
+    element("error").hidden = false;
+  }
+
+  private clear(): void {
+    for (const id of ["error", "result", "viewer", "match-again"]) element(id).hidden = true;
+    element("viewer").removeAttribute("src");
+    this.landmarks = [];
+    this.result = null;
+  }
+
+  private update(): void {
+    const isRunning = this.running !== null;
+    element<HTMLButtonElement>("match").disabled = isRunning || !this.meshes.source || !this.meshes.target;
+    element("cancel").hidden = !isRunning;
+    element("progress").hidden = !isRunning;
+    element<HTMLProgressElement>("bar").removeAttribute("value");
+    element("left").textContent = "";
+  }
+}
+
+new Page();

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+#
+# Builds for browsers and Node.js: the npm package in build/wasm/package, packed as build/wasm/counterpart3d-VERSION.tgz, and
+# the page in build/wasm/page. See docs/browser.md. `scripts/wasm.sh package` builds the package only.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh packages-wasm.txt
+export NODE_PATH=/usr/share/nodejs  # where Debian has what Emscripten needs of Node.js
+
+scripts/wasm_libraries.sh
+cmake --preset wasm > /dev/null
+cmake --build --preset wasm --target counterpart_javascript
+
+package=$PWD/build/wasm/package
+rm -rf "$package"
+mkdir -p "$package/dist"
+cp javascript/package.json javascript/README.md LICENSE "$package"
+cp build/wasm/javascript/library.{js,wasm} "$package/dist"
+(cd javascript && npm ci && npm run build -- --outDir "$package/dist")
+(cd "$package" && npm pack --pack-destination ..)
+[ "${1:-}" = package ] && exit
+
+cd apps/web
+npm ci
+npm run build -- --outDir "$PWD/../../build/wasm/page" --emptyOutDir
