@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""From two objects to a map: read, match, say how far to trust it. Only `read_pair` touches Blender's data."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import counterpart3d as cp
+import numpy as np
+
+from .in_place import match_in_place
+from .landmarks import landmark_pairs
+from .objects import Refused, Surface, read_surface, require_mesh
+from .stored_map import StoredMap, points_at_vertices, stored
+from .verdict import verdict_on
+
+
+@dataclass(frozen=True)
+class Options:
+    seen: bool = False  # match the shapes that the modifiers make
+    aligned: bool = False  # both face the same way
+    part: str = "unknown"  # as in cp.match, with the selected object as its source
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two objects, as they were read.
+
+    Attributes
+    ----------
+    active, selected : Surface
+    landmarks : (n, 2) vertices of the selected and of the active object
+    kept : StoredMap, the map of the selected object if it is the answer to this question, else None
+    """
+
+    active_object: object
+    selected_object: object
+    active: Surface
+    selected: Surface
+    landmarks: np.ndarray
+    options: Options
+    kept: StoredMap | None
+
+
+def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool = False) -> Pair:
+    """`may_differ`: the modifiers of the selected object may make other vertices, since nothing is written to it."""
+    for obj in (active, selected):
+        require_mesh(obj)
+    if active.data == selected.data:
+        raise Refused(f"'{active.name}' and '{selected.name}' share one mesh: nothing to match")
+    surfaces = {obj: read_surface(obj, depsgraph if options.seen else None) for obj in (active, selected)}
+    for obj, surface in surfaces.items():
+        if len(surface.vertices) != len(obj.data.vertices) and not (may_differ and obj == selected):
+            makers = ", ".join(f"'{modifier.name}'" for modifier in obj.modifiers if modifier.show_viewport)
+            raise Refused(
+                f"The modifiers of '{obj.name}' ({makers}) make other vertices: apply them, or match without modifiers"
+            )
+    pairs = landmark_pairs(selected, active)
+    if len(pairs) and len(surfaces[selected].vertices) != len(selected.data.vertices):
+        raise Refused(
+            f"The landmarks of '{selected.name}' are not on the vertices that its modifiers make: apply those first"
+        )
+    kept = stored(selected.data)
+    if kept is not None and kept.question != question(surfaces[active], surfaces[selected], pairs, options):
+        kept = None
+    return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, kept)
+
+
+def question(active: Surface, selected: Surface, landmarks: np.ndarray, options: Options) -> str:
+    """Two equal questions have the same answer, whatever the shapes."""
+    known = ",".join(f"{i}-{j}" for i, j in landmarks.tolist())
+    return f"{selected.connectivity}>{active.connectivity} {known} {options.seen} {options.aligned} {options.part}"
+
+
+def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> StoredMap:
+    """Raises cp.Canceled, and cp.InvalidInput with a sentence for meshes that cannot be matched."""
+    ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
+    asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
+    if not len(pair.landmarks) and not cp.match_exact(*ends).identical:
+        points = match_in_place(pair.active, pair.selected)
+        if points is not None:
+            vertex = cp.nearest_corners(pair.active.mesh(), points)
+            confidence = (vertex >= 0).astype(np.float32)
+            said = dict(method="in place", verdict="use", reason="", notices="the surfaces lie on each other")
+            return StoredMap(vertex, points, confidence, None, **asked, **said)
+    result = cp.match(
+        *ends,
+        landmarks=pair.landmarks if len(pair.landmarks) else None,
+        aligned=options.aligned,
+        part=options.part,
+        n_alternatives=1,
+        progress=progress,
+    )
+    vertex = np.asarray(result.target_from_source, np.int32)
+    said = verdict_on(result, int((vertex[pair.landmarks[:, 0]] != pair.landmarks[:, 1]).sum()))
+    found = result.spectral or result.partial
+    return StoredMap(
+        vertex,
+        _points(pair, vertex),
+        np.asarray(result.confidence, np.float32),
+        found.alternatives[0].target_from_source if found and found.alternatives else None,
+        **asked,
+        method=result.method,
+        verdict=said.word,
+        reason=said.reason,
+        notices=" ".join(result.notices),
+    )
+
+
+def _points(pair: Pair, vertex: np.ndarray) -> cp.SurfaceMap:
+    """A vertex has its counterpart itself where the map is one to one; else the map is smoothed onto the surface."""
+    if np.array_equal(np.sort(vertex), np.arange(len(pair.active.vertices))):
+        return points_at_vertices(pair.active, vertex)
+    return cp.project_map(pair.selected.mesh(), pair.active.mesh(), vertex)
