@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import counterpart3d as cp
 import numpy as np
@@ -81,10 +81,7 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
     if not len(pair.landmarks) and not cp.match_exact(*ends).identical:
         points = match_in_place(pair.active, pair.selected)
         if points is not None:
-            vertex = cp.nearest_corners(pair.active.mesh(), points)
-            confidence = (vertex >= 0).astype(np.float32)
-            said = dict(method="in place", verdict="use", reason="", notices="the surfaces lie on each other")
-            return StoredMap(vertex, points, confidence, None, **asked, **said)
+            return _in_place(pair, points, asked)
     result = cp.match(
         *ends,
         landmarks=pair.landmarks if len(pair.landmarks) else None,
@@ -94,11 +91,16 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
         progress=progress,
     )
     vertex = np.asarray(result.target_from_source, np.int32)
+    points = _points(pair, vertex)
+    if result.method in ("spectral", "partial") and not len(pair.landmarks):
+        moved = match_in_place(pair.active, _onto_active(pair, points))
+        if moved is not None:
+            return _in_place(pair, moved, asked)
     said = verdict_on(result, int((vertex[pair.landmarks[:, 0]] != pair.landmarks[:, 1]).sum()))
     found = result.spectral or result.partial
     return StoredMap(
         vertex,
-        _points(pair, vertex),
+        points,
         np.asarray(result.confidence, np.float32),
         found.alternatives[0].target_from_source if found and found.alternatives else None,
         **asked,
@@ -107,6 +109,19 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
         reason=said.reason,
         notices=" ".join(result.notices),
     )
+
+
+def _in_place(pair: Pair, points: cp.SurfaceMap, asked: dict[str, str]) -> StoredMap:
+    vertex = cp.nearest_corners(pair.active.mesh(), points)
+    confidence = (vertex >= 0).astype(np.float32)
+    said = dict(method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do when moved")
+    return StoredMap(vertex, points, confidence, None, **asked, **said)
+
+
+def _onto_active(pair: Pair, points: cp.SurfaceMap) -> Surface:
+    """The selected surface, turned, moved and scaled onto the active one: a copy of it that stands elsewhere fits."""
+    moved = cp.align(pair.selected.mesh(), pair.active.mesh(), points, model="similarity", icp=True, trim=0.1)
+    return replace(pair.selected, vertices=moved.vertices)
 
 
 def _points(pair: Pair, vertex: np.ndarray) -> cp.SurfaceMap:

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""An empty file of Blender's for each test, with the extension registered."""
+"""A file of Blender's with the character for each test, and the extension registered."""
 
 import importlib.util
+import os
 import pathlib
 import sys
 
@@ -10,10 +11,11 @@ import bpy
 import characters
 import pytest
 
-EXTENSION = pathlib.Path(__file__).resolve().parents[2] / "apps" / "blender"
+EXTENSION = pathlib.Path(os.environ.get("COUNTERPART_EXTENSION") or pathlib.Path(__file__).parents[2] / "apps" / "blender")
 
 
 def load_extension(folder=EXTENSION, name="counterpart_extension"):
+    folder = pathlib.Path(folder).resolve()
     spec = importlib.util.spec_from_file_location(name, folder / "__init__.py", submodule_search_locations=[str(folder)])
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
@@ -29,14 +31,19 @@ def registered():
     bpy.ops.wm.read_factory_settings(use_empty=True)
     extension.register()
     yield
-    extension.unregister()
+    extension.unregister()  # Blender's module does not end while classes are registered
 
 
-@pytest.fixture(autouse=True)
-def empty_file():
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+@pytest.fixture(scope="session")
+def hero_file(tmp_path_factory):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    characters.make_character()
+    file = str(tmp_path_factory.mktemp("files") / "hero.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=file)
+    return file
 
 
 @pytest.fixture
-def hero():
-    return characters.make_character()[0]
+def hero(hero_file):
+    bpy.ops.wm.open_mainfile(filepath=hero_file)
+    return bpy.data.objects["Hero"]
