@@ -1,8 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Surfaces that lie on each other, as a retopology lies on its original: the nearest point is the counterpart."""
+"""Surfaces that lie on each other, as a retopology lies on its original, or do so once one is moved, turned and scaled, as
+an export does: the nearest point is the counterpart."""
 
 from __future__ import annotations
+
+from dataclasses import replace
+from itertools import permutations, product
 
 import counterpart3d as cp
 import numpy as np
@@ -13,6 +17,7 @@ from .objects import Surface
 NEAR = 0.01  # of the size: how far the surfaces may be from each other
 SHARE = 0.97  # of the vertices of both for which that must be so
 N_LOOKED_AT = 2000  # vertices that decide whether it is
+N_FITTED = 500  # vertices that are moved to find how one surface lies on the other
 
 
 def match_in_place(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
@@ -24,6 +29,44 @@ def match_in_place(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
         if (_nearest(surface, other, near, slice(None, None, step)).triangle >= 0).mean() < SHARE:
             return None
     return _nearest(selected, active, near, slice(None))
+
+
+def match_moved(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
+    """The same once the selected surface is moved: from each way to lay its principal axes on those of the active one
+    by iterated closest points (Besl and McKay 1992), the best."""
+    center, axes, size = _frame(active)
+    own_center, own_axes, own_size = _frame(selected)
+    laid = (selected.vertices - own_center) @ own_axes * (size / own_size)
+    some = np.unique(np.linspace(0, len(laid) - 1, N_FITTED).astype(int))
+    starts = [laid @ turn @ axes.T + center for turn in _turns()]
+    tries = [_icp(start[some], active, 10) for start in starts]
+    best = int(np.argmin([found.rms_distance for found in tries]))
+    matrix = _icp(starts[best][some], active, 100).matrix
+    moved = starts[best] @ matrix[:3, :3].T + matrix[:3, 3]
+    return match_in_place(active, replace(selected, vertices=moved))
+
+
+def _icp(points: np.ndarray, active: Surface, iterations: int) -> cp.AlignResult:
+    """Points without faces of their own."""
+    return cp.align((points, [[0, 1, 2]]), active.mesh(), icp=True, model="similarity", max_iterations=iterations)
+
+
+def _frame(surface: Surface) -> tuple[np.ndarray, np.ndarray, float]:
+    """Center, principal axes as the columns of a rotation, and size of the surface, weighted by area."""
+    areas = cp.vertex_areas(surface.mesh())
+    center = areas @ surface.vertices / areas.sum()
+    offsets = surface.vertices - center
+    values, axes = np.linalg.eigh((offsets * areas[:, None]).T @ offsets / areas.sum())
+    axes[:, 0] *= np.sign(np.linalg.det(axes))
+    return center, axes, float(np.sqrt(values.sum()))
+
+
+def _turns() -> list[np.ndarray]:
+    """The 24 rotations that take axes to axes."""
+    signed = [
+        np.eye(3)[list(order)] * signs for order in permutations(range(3)) for signs in product((1, -1), repeat=3)
+    ]
+    return [turn for turn in signed if np.linalg.det(turn) > 0]
 
 
 def _nearest(surface: Surface, other: Surface, near: float, which: slice) -> cp.SurfaceMap:

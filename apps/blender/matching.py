@@ -5,12 +5,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import counterpart3d as cp
 import numpy as np
 
-from .in_place import match_in_place
+from .in_place import match_in_place, match_moved
 from .landmarks import landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
@@ -79,7 +79,7 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
     ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
     asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
     if not len(pair.landmarks) and not cp.match_exact(*ends).identical:
-        points = match_in_place(pair.active, pair.selected)
+        points = match_in_place(pair.active, pair.selected) or match_moved(pair.active, pair.selected)
         if points is not None:
             return _in_place(pair, points, asked)
     result = cp.match(
@@ -91,16 +91,11 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
         progress=progress,
     )
     vertex = np.asarray(result.target_from_source, np.int32)
-    points = _points(pair, vertex)
-    if result.method in ("spectral", "partial") and not len(pair.landmarks):
-        moved = match_in_place(pair.active, _onto_active(pair, points))
-        if moved is not None:
-            return _in_place(pair, moved, asked)
     said = verdict_on(result, int((vertex[pair.landmarks[:, 0]] != pair.landmarks[:, 1]).sum()))
     found = result.spectral or result.partial
     return StoredMap(
         vertex,
-        points,
+        _points(pair, vertex),
         np.asarray(result.confidence, np.float32),
         found.alternatives[0].target_from_source if found and found.alternatives else None,
         **asked,
@@ -114,14 +109,10 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
 def _in_place(pair: Pair, points: cp.SurfaceMap, asked: dict[str, str]) -> StoredMap:
     vertex = cp.nearest_corners(pair.active.mesh(), points)
     confidence = (vertex >= 0).astype(np.float32)
-    said = dict(method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do when moved")
+    said = dict(
+        method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do so when moved"
+    )
     return StoredMap(vertex, points, confidence, None, **asked, **said)
-
-
-def _onto_active(pair: Pair, points: cp.SurfaceMap) -> Surface:
-    """The selected surface, turned, moved and scaled onto the active one: a copy of it that stands elsewhere fits."""
-    moved = cp.align(pair.selected.mesh(), pair.active.mesh(), points, model="similarity", icp=True, trim=0.1)
-    return replace(pair.selected, vertices=moved.vertices)
 
 
 def _points(pair: Pair, vertex: np.ndarray) -> cp.SurfaceMap:

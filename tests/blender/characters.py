@@ -8,23 +8,27 @@ import numpy as np
 
 HEIGHT = 1.8
 JOINTS = {
-    "hips": (0, 0, 0.9), "chest": (0, 0, 1.35), "neck": (0, 0, 1.5), "head": (0, -0.03, 1.72),
-    "shoulder.L": (0.18, 0, 1.42), "elbow.L": (0.45, 0.03, 1.4), "hand.L": (0.72, -0.02, 1.38),
-    "shoulder.R": (-0.18, 0, 1.42), "elbow.R": (-0.45, 0.03, 1.4), "hand.R": (-0.72, -0.02, 1.38),
-    "knee.L": (0.13, -0.03, 0.48), "ankle.L": (0.14, 0.0, 0.08), "toe.L": (0.15, -0.2, 0.03),
-    "knee.R": (-0.13, -0.03, 0.48), "ankle.R": (-0.14, 0.0, 0.08), "toe.R": (-0.15, -0.2, 0.03),
+    "hips": (0, 0.02, 0.92), "belly": (0, -0.04, 1.12), "chest": (0, 0.01, 1.36), "neck": (0, 0.02, 1.5),
+    "head": (0, -0.02, 1.68), "nose": (0, -0.2, 1.66), "braid": (0, 0.17, 1.62), "braid end": (0.04, 0.24, 1.38),
+    "shoulder.L": (0.2, 0.01, 1.43), "elbow.L": (0.45, 0.04, 1.4), "hand.L": (0.7, -0.02, 1.38),
+    "thumb.L": (0.68, -0.13, 1.38), "shoulder.R": (-0.2, 0.01, 1.43), "elbow.R": (-0.45, 0.04, 1.4),
+    "hand.R": (-0.7, -0.02, 1.38), "thumb.R": (-0.68, -0.13, 1.38),
+    "hip.L": (0.12, 0.0, 0.86), "knee.L": (0.14, -0.03, 0.48), "ankle.L": (0.15, 0.02, 0.09), "toe.L": (0.17, -0.2, 0.04),
+    "hip.R": (-0.12, 0.0, 0.86), "knee.R": (-0.14, -0.03, 0.48), "ankle.R": (-0.15, 0.02, 0.09),
+    "toe.R": (-0.17, -0.2, 0.04),
 }  # fmt: skip
 LIMBS = [
-    ("hips", "chest"), ("chest", "neck"), ("neck", "head"), ("chest", "shoulder.L"), ("shoulder.L", "elbow.L"),
-    ("elbow.L", "hand.L"), ("chest", "shoulder.R"), ("shoulder.R", "elbow.R"), ("elbow.R", "hand.R"),
-    ("hips", "knee.L"), ("knee.L", "ankle.L"), ("ankle.L", "toe.L"), ("hips", "knee.R"), ("knee.R", "ankle.R"),
-    ("ankle.R", "toe.R"),
+    ("hips", "belly"), ("belly", "chest"), ("chest", "neck"), ("neck", "head"), ("head", "nose"), ("head", "braid"),
+    ("braid", "braid end"), ("chest", "shoulder.L"), ("shoulder.L", "elbow.L"), ("elbow.L", "hand.L"),
+    ("hand.L", "thumb.L"), ("chest", "shoulder.R"), ("shoulder.R", "elbow.R"), ("elbow.R", "hand.R"),
+    ("hand.R", "thumb.R"), ("hips", "hip.L"), ("hip.L", "knee.L"), ("knee.L", "ankle.L"), ("ankle.L", "toe.L"),
+    ("hips", "hip.R"), ("hip.R", "knee.R"), ("knee.R", "ankle.R"), ("ankle.R", "toe.R"),
 ]  # fmt: skip
-RADII = {"hips": 0.14, "chest": 0.15, "neck": 0.06, "head": 0.12, "knee": 0.07, "ankle": 0.05, "toe": 0.04,
-         "shoulder": 0.08, "elbow": 0.05, "hand": 0.05}  # fmt: skip
+RADII = {"hips": 0.14, "belly": 0.13, "chest": 0.14, "neck": 0.055, "head": 0.12, "nose": 0.025, "braid": 0.05,
+         "braid end": 0.03, "shoulder": 0.075, "elbow": 0.05, "hand": 0.05, "thumb": 0.025, "hip": 0.1, "knee": 0.065,
+         "ankle": 0.045, "toe": 0.045}  # fmt: skip
 
-
-def make_character(name="Hero", voxel=0.03):
+def make_character(name="Hero", voxel=0.025):
     """The character with an armature, weights, shape keys, a UV map with seams, colors, attributes and materials."""
     obj = make_body(name, voxel)
     armature = make_armature(f"{name} rig")
