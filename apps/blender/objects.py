@@ -126,6 +126,8 @@ def require_mesh(obj) -> None:
 
 def require_editable(obj) -> None:
     for block in (obj, obj.data):
+        if block is None:
+            continue
         if block.library is not None:
             raise Refused(
                 f"'{obj.name}' is linked from another file: Object > Relations > Make Local > Selected Objects and Data first"
