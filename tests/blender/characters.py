@@ -215,3 +215,12 @@ def only(obj, *others):
     for each in (obj, *others):
         each.select_set(True)
     bpy.context.view_layer.objects.active = obj
+
+
+def select_vertices(obj, vertices):
+    """These, and no edge or face."""
+    chosen = np.zeros(len(obj.data.vertices), bool)
+    chosen[vertices] = True
+    obj.data.vertices.foreach_set("select", chosen)
+    for elements in (obj.data.edges, obj.data.polygons):
+        elements.foreach_set("select", np.zeros(len(elements), bool))

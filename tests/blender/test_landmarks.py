@@ -65,10 +65,7 @@ def test_added_in_edit_mode(hero):
     other = c.remeshed(hero, "Other")
     for round in (1, 2):
         for obj in (hero, other):
-            for vertex in obj.data.vertices:
-                vertex.select = vertex.index == 10 * round
-            for element in (*obj.data.edges, *obj.data.polygons):
-                element.select = False
+            c.select_vertices(obj, [10 * round])
         c.only(hero, other)
         bpy.ops.object.mode_set(mode="EDIT")
         assert bpy.ops.counterpart.add_landmark() == {"FINISHED"}
@@ -76,7 +73,7 @@ def test_added_in_edit_mode(hero):
         bpy.ops.object.mode_set(mode="OBJECT")
     assert landmark_pairs(hero, other).tolist() == [[10, 10], [20, 20]]
     c.only(hero, other)
-    hero.data.vertices[11].select = True
+    c.select_vertices(hero, [11, 20])
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(RuntimeError, match="exactly one vertex on each object; 'Hero' has 2"):
         bpy.ops.counterpart.add_landmark()

@@ -142,6 +142,10 @@ def test_escape_changes_nothing(hero):
     assert pressed.said == [("INFO", "Pressed: canceled, nothing was changed")]
 
 
+def test_closing_the_dialog_is_no_error(hero):
+    Pressed().cancel(a_window())
+
+
 def test_a_doubtful_map_is_told_before_anything_is_changed(hero):
     other = c.remeshed(hero, "Other")
     c.only(hero, other)

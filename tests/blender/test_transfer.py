@@ -199,8 +199,7 @@ def test_custom_normals_lean_as_they_did(hero):
     transfer(hero, other)
     assert other.data.has_custom_normals
     plain = c.remeshed(hero, "Plain")
-    for face in plain.data.polygons:
-        face.use_smooth = True
+    plain.data.polygons.foreach_set("use_smooth", [True] * len(plain.data.polygons))
     plain.data.update()
     truth = c.read(plain.data.corner_normals, "vector", 3) + (0, 0, 0.5)
     truth /= np.linalg.norm(truth, axis=1, keepdims=True)
@@ -212,8 +211,8 @@ def test_custom_normals_lean_as_they_did(hero):
 def test_sharp_edges_and_creases_stay_lines(hero):
     other = c.remeshed(hero, "Other")
     loop = [e for e in hero.data.edges if all(abs(hero.data.vertices[v].co.z - 1.0) < 0.03 for v in e.vertices)]
-    for edge in loop:
-        edge.use_edge_sharp = True
+    marked = {edge.index for edge in loop}
+    hero.data.edges.foreach_set("use_edge_sharp", [edge.index in marked for edge in hero.data.edges])
     transfer(hero, other)
     sharp = [e for e in other.data.edges if e.use_edge_sharp]
     assert sharp
@@ -236,8 +235,8 @@ def test_polygons_loose_vertices_and_parts(hero):
     bpy.ops.mesh.select_all(action="DESELECT")
     bpy.ops.object.mode_set(mode="OBJECT")
     vertex = int(np.abs(c.positions(other) - (0, -0.1, 1.2)).sum(axis=1).argmin())
-    for face in other.data.polygons:
-        face.select = vertex in face.vertices
+    around = [vertex in face.vertices for face in other.data.polygons]
+    other.data.polygons.foreach_set("select", around)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.dissolve_faces()
     bpy.ops.object.mode_set(mode="OBJECT")

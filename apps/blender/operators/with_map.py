@@ -5,6 +5,7 @@ only then change something."""
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable
 from contextlib import contextmanager
 
@@ -16,6 +17,7 @@ from ..matching import Options, Pair, match_pair, read_pair
 from ..objects import Refused, require_editable
 from ..stored_map import StoredMap, store
 
+LINE = 80  # characters of a sentence in the dialog
 PARTS = (
     ("unknown", "Seen from the Meshes", "Open meshes are matched as parts, closed ones as wholes"),
     ("source", "Selected Is a Part", "The selected objects show only a part of the active one"),
@@ -76,7 +78,7 @@ class WithMap:
             if any(pair.kept is None for pair in pairs):
                 return self._start(context, pairs)
             if any(pair.kept.verdict != "use" for pair in pairs):
-                return self._ask(context, event)
+                return self._ask(context, pairs)
             return self.execute(context)
         return {"CANCELLED"}
 
@@ -92,7 +94,7 @@ class WithMap:
             self._job.cancel()
             context.workspace.status_text_set("Canceling ...")
         if event.type == "TIMER" and self._job.is_done:
-            self.cancel(context)
+            self._end(context)
             with self._refusing():
                 if self._job.error is not None:
                     raise self._job.error
@@ -103,14 +105,22 @@ class WithMap:
         return {"RUNNING_MODAL"}  # nothing else may change the objects meanwhile
 
     def cancel(self, context):
-        """Also when Blender closes: the thread ends, and what it left in the window goes."""
-        self._job.cancel()
+        """Blender closes, or the person closes the dialog, in which case no job runs."""
+        if hasattr(self, "_job"):
+            self._job.cancel()
+            self._end(context)
+
+    def _end(self, context):
+        """What the job left in the window goes."""
         context.window_manager.event_timer_remove(self._timer)
         context.workspace.status_text_set(None)
 
     def draw(self, context):
         """In the panel of the last operation, and in the dialog that asks."""
         layout = self.layout
+        for sentence in getattr(self, "_doubts", ()):
+            for i, line in enumerate(textwrap.wrap(sentence, LINE)):
+                layout.label(text=line, icon="NONE" if i else "ERROR")
         layout.use_property_split = True
         for name in self.__class__.__annotations__:
             layout.prop(self, name)
@@ -125,11 +135,14 @@ class WithMap:
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
 
-    def _ask(self, context, event):
-        sentences = [f"{pair.selected_object.name}: {pair.kept.sentence}" for pair in self._pairs(context)]
+    def _ask(self, context, pairs):
+        """The dialog with the verdicts: nothing is changed unless it is confirmed."""
+        self._doubts = [
+            f"{pair.selected_object.name}, {pair.kept.sentence}" for pair in pairs if pair.kept.verdict != "use"
+        ]
         self.use_doubtful = True  # whoever confirms wants that
         return context.window_manager.invoke_props_dialog(
-            self, width=500, title="Look at the Map before Using It", confirm_text=" | ".join(sentences)[:60]
+            self, width=480, title="Look at the Map before Using It", confirm_text="Use It All the Same"
         )
 
     def _matched(self, context):
