@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Makes the zip of the extension for Blender: scripts/blender_zip.py FOLDER_OF_WHEELS FOLDER_FOR_THE_ZIP. Prints its name.
+"""Makes the zip of the extension for Blender and prints its name: scripts/blender_zip.py FOLDER_OF_WHEELS FOLDER.
 
 The manifest gets the project's version, the wheels, and the platforms that these are for."""
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Packs the built package into a wheel for this machine alone, in a second: scripts/pack_wheel.py BUILT_PACKAGES FOLDER.
+"""Packs the built package into a wheel for this machine alone: scripts/pack_wheel.py BUILT_PACKAGES FOLDER.
 
 For tests of what takes wheels. It needs the libraries of this machine; scripts/wheel.sh makes those for others."""
 

@@ -14,6 +14,8 @@ from .objects import Surface
 from .same_faces import same_faces
 from .stored_map import StoredMap
 
+AFFINE = 0.005  # of the size: how far nearly all vertices may be from where an affine map takes them
+
 
 class Carrier:
     """Where the map takes faces to faces everything is copied as it is; else it is interpolated on the active surface.
@@ -74,7 +76,7 @@ class Carrier:
         return values[np.where(self.active.face_of_corner[corner] == face, corner, first)]
 
     def edge_labels(self, values: np.ndarray) -> np.ndarray:
-        """What is 0 on most edges (seams, sharp edges, creases): the others become paths of edges between their ends' images."""
+        """What is 0 on most edges (seams, sharp edges, creases): the others become paths between their ends' images."""
         if self.same:
             return np.where(_column(self.same.edge < 0, values), values.dtype.type(0), values[self.same.edge])
         carried = np.zeros((len(self.selected.edges), *values.shape[1:]), values.dtype)
@@ -95,6 +97,15 @@ class Carrier:
     def positions(self) -> np.ndarray:
         """Of the points on the active surface."""
         return self.vertex_numbers(self.active.vertices)
+
+    @cached_property
+    def affine_turn(self) -> np.ndarray | None:
+        """The linear part, for rows, of the affine map that takes the active surface to the selected one, if there is
+        one: that of a copy which was moved, turned and scaled."""
+        here = np.column_stack([self.positions, np.ones(len(self.positions))])
+        matrix, _, rank, _ = np.linalg.lstsq(here, self.selected.vertices, rcond=None)
+        off = np.linalg.norm(here @ matrix - self.selected.vertices, axis=1)
+        return matrix[:3] if rank == 4 and np.percentile(off, 99) < AFFINE * self.selected.size else None
 
     @cached_property
     def _nearest_face(self) -> np.ndarray:
@@ -118,8 +129,8 @@ class Carrier:
         return EdgeGraph(self.selected)
 
     def _on_one_side(self, values: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """From triangles' corners to faces' corners. Where a seam runs along the diagonal of a face, all of the face goes to
-        the side of its largest triangle, whose values are continued in its plane."""
+        """From triangles' corners to faces' corners. A face with a seam along its diagonal goes to the side of its largest
+        triangle as a whole, whose values are continued in its plane."""
         loops, surface = self.selected.loops, self.selected
         carried = np.zeros((len(surface.corners), values.shape[1]))
         carried[loops.ravel()] = values[rows.ravel()]

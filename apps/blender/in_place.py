@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Surfaces that lie on each other, as a retopology lies on its original, or do so once one is moved, turned and scaled, as
-an export does: the nearest point is the counterpart."""
+"""Surfaces that lie on each other, as a retopology lies on its original, or do so once one is moved, turned and scaled,
+as an export does: the nearest point is the counterpart."""
 
 from __future__ import annotations
 

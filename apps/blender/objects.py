@@ -26,7 +26,7 @@ class Surface:
     sizes : (n_faces,) corners of each face
     corners : (n_loops,) the vertex at each corner (Blender's loops), one face after the other
     edges : (n_edges, 2)
-    loops : (n_triangles, 3) the corner of the faces at each corner of Blender's triangles, counter-clockwise in the world
+    loops : (n_triangles, 3) the faces' corner at each corner of Blender's triangles, counter-clockwise in the world
     face_of_triangle : (n_triangles,)
     to_world : (4, 4)
     """
@@ -89,7 +89,7 @@ class Surface:
 
 
 def read_surface(obj, depsgraph=None) -> Surface:
-    """The mesh without its modifiers, in the shape of its Basis; with a dependency graph as it is seen, modifiers on."""
+    """The mesh without its modifiers, in the shape of its Basis; with a dependency graph as it is seen, with them."""
     if depsgraph is None:
         return _surface(obj, obj.data, basis_positions(obj.data))
     seen = obj.evaluated_get(depsgraph)
@@ -130,7 +130,8 @@ def require_editable(obj) -> None:
             continue
         if block.library is not None:
             raise Refused(
-                f"'{obj.name}' is linked from another file: Object > Relations > Make Local > Selected Objects and Data first"
+                f"'{obj.name}' is linked from another file: "
+                "Object > Relations > Make Local > Selected Objects and Data first"
             )
         if block.override_library is not None:
             raise Refused(f"'{obj.name}' is a library override: Object > Relations > Make Local first")

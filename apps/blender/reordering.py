@@ -13,8 +13,8 @@ from .same_faces import SameFaces
 
 
 def renumber(obj, new_vertex: np.ndarray, same: SameFaces | None) -> None:
-    """Vertex i gets the number new_vertex[i]; edges and faces those of `same`, if it is given. BMesh moves all layers along:
-    shape keys, weights, UV maps, colors, attributes, selection."""
+    """Vertex i gets the number new_vertex[i]; edges and faces those of `same`, if it is given. BMesh moves all layers
+    along: shape keys, weights, UV maps, colors, attributes, selection."""
     mesh = obj.data
     normals = numbers(mesh.corner_normals, "vector", (-1, 3)) if mesh.has_custom_normals else None
     corner_keys = _corner_keys(mesh, new_vertex, same) if normals is not None else None

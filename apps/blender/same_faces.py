@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Where a map takes vertices one to one and faces to faces: the face, corner and edge of one mesh for each of the other."""
+"""Where a map takes vertices one to one and faces to faces: what each face, corner and edge is on the other mesh."""
 
 from __future__ import annotations
 

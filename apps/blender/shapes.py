@@ -23,8 +23,8 @@ PLACES = (
 
 
 def active_in_shape_of(pair: Pair, found: StoredMap, stiffness: float = 1) -> np.ndarray:
-    """World coordinates of the active object's vertices on the selected surface: those of their counterparts where the map
-    is one to one, else fitted (see cp.fit), so that the surface stays smooth."""
+    """World coordinates of the active object's vertices on the selected surface: those of their counterparts where the
+    map is one to one, else fitted (see cp.fit), so that the surface stays smooth."""
     if found.is_one_to_one:
         points = np.empty_like(pair.active.vertices)
         points[found.vertex] = pair.selected.vertices

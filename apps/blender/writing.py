@@ -23,8 +23,8 @@ def add_shape_key(obj, name: str, positions: np.ndarray):
 
 
 def moved_copy(obj, beside, positions: np.ndarray):
-    """A copy of the object in this shape, in the collections of another; its shape keys move along. Without modifiers and
-    parent, which would move it away."""
+    """A copy of the object in this shape, in the collections of another; its shape keys move along. Without modifiers
+    and parent, which would move it away."""
     copy = obj.copy()
     copy.data = obj.data.copy()
     copy.name = copy.data.name = f"{beside.name} fit"

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""A rigged, textured character made in Blender, and copies of it with other vertices. What it carries are functions of the
-place on the character, so that the truth is known at every vertex of every copy."""
+"""A rigged, textured character made in Blender, and copies of it with other vertices. What it carries are functions of
+the place on the character, so that the truth is known at every vertex of every copy."""
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -13,7 +14,8 @@ JOINTS = {
     "shoulder.L": (0.2, 0.01, 1.43), "elbow.L": (0.45, 0.04, 1.4), "hand.L": (0.7, -0.02, 1.38),
     "thumb.L": (0.68, -0.13, 1.38), "shoulder.R": (-0.2, 0.01, 1.43), "elbow.R": (-0.45, 0.04, 1.4),
     "hand.R": (-0.7, -0.02, 1.38), "thumb.R": (-0.68, -0.13, 1.38),
-    "hip.L": (0.12, 0.0, 0.86), "knee.L": (0.14, -0.03, 0.48), "ankle.L": (0.15, 0.02, 0.09), "toe.L": (0.17, -0.2, 0.04),
+    "hip.L": (0.12, 0.0, 0.86), "knee.L": (0.14, -0.03, 0.48), "ankle.L": (0.15, 0.02, 0.09),
+    "toe.L": (0.17, -0.2, 0.04),
     "hip.R": (-0.12, 0.0, 0.86), "knee.R": (-0.14, -0.03, 0.48), "ankle.R": (-0.15, 0.02, 0.09),
     "toe.R": (-0.17, -0.2, 0.04),
 }  # fmt: skip
@@ -28,6 +30,7 @@ RADII = {"hips": 0.14, "belly": 0.13, "chest": 0.14, "neck": 0.055, "head": 0.12
          "braid end": 0.03, "shoulder": 0.075, "elbow": 0.05, "hand": 0.05, "thumb": 0.025, "hip": 0.1, "knee": 0.065,
          "ankle": 0.045, "toe": 0.045}  # fmt: skip
 
+
 def make_character(name="Hero", voxel=0.025):
     """The character with an armature, weights, shape keys, a UV map with seams, colors, attributes and materials."""
     obj = make_body(name, voxel)
@@ -35,8 +38,8 @@ def make_character(name="Hero", voxel=0.025):
     points = positions(obj)
     for bone, weights in true_weights(points).items():
         group = obj.vertex_groups.new(name=bone)
-        for vertex, weight in enumerate(weights.tolist()):
-            group.add([vertex], weight, "REPLACE")
+        for vertex in np.flatnonzero(weights > 0.005).tolist():  # a few bones for each vertex, as people have it
+            group.add([vertex], float(weights[vertex]), "REPLACE")
     obj.shape_key_add(name="Basis")
     for key, moves in true_moves(points).items():
         obj.shape_key_add(name=key).data.foreach_set("co", (points + moves).astype(np.float32).ravel())
@@ -98,6 +101,7 @@ def true_weights(points):
     """Smooth around each bone; they sum to 1. Two bones of a limb have separate sides."""
     closeness = np.stack([np.exp(-((distance(points, a, b) / 0.09) ** 2)) for a, b in LIMBS]) + 1e-9
     weights = closeness / closeness.sum(axis=0)
+    weights = np.where(weights > 0.005, weights, 0)
     return {f"{a} to {b}": column for (a, b), column in zip(LIMBS, weights, strict=True)}
 
 
@@ -218,9 +222,12 @@ def only(obj, *others):
 
 
 def select_vertices(obj, vertices):
-    """These, and no edge or face."""
-    chosen = np.zeros(len(obj.data.vertices), bool)
-    chosen[vertices] = True
-    obj.data.vertices.foreach_set("select", chosen)
-    for elements in (obj.data.edges, obj.data.polygons):
-        elements.foreach_set("select", np.zeros(len(elements), bool))
+    """These and no others, of an object in Edit Mode."""
+    work = bmesh.from_edit_mesh(obj.data)
+    for elements in (work.faces, work.edges, work.verts):
+        for element in elements:
+            element.select = False
+    work.verts.ensure_lookup_table()
+    for vertex in vertices:
+        work.verts[vertex].select = True
+    bmesh.update_edit_mesh(obj.data)

@@ -11,12 +11,15 @@ import bpy
 import characters
 import pytest
 
-EXTENSION = pathlib.Path(os.environ.get("COUNTERPART_EXTENSION") or pathlib.Path(__file__).parents[2] / "apps" / "blender")
+ROOT = pathlib.Path(__file__).parents[2]
+EXTENSION = pathlib.Path(os.environ.get("COUNTERPART_EXTENSION") or ROOT / "apps" / "blender")
 
 
 def load_extension(folder=EXTENSION, name="counterpart_extension"):
     folder = pathlib.Path(folder).resolve()
-    spec = importlib.util.spec_from_file_location(name, folder / "__init__.py", submodule_search_locations=[str(folder)])
+    spec = importlib.util.spec_from_file_location(
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
+    )
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)

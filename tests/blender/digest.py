@@ -28,7 +28,10 @@ def digest(obj):
     for attribute in mesh.attributes:
         if not attribute.name.startswith(".") and attribute.data_type not in ("STRING", "INT16_2D"):
             value, width = VALUES.get(attribute.data_type, "value"), WIDTHS.get(attribute.data_type, 1)
-            found[f"attribute {attribute.name}"] = attribute.domain, characters.read(attribute.data, value, width).tolist()
+            found[f"attribute {attribute.name}"] = (
+                attribute.domain,
+                characters.read(attribute.data, value, width).tolist(),
+            )
     for key in mesh.shape_keys.key_blocks if mesh.shape_keys else []:
         found[f"key {key.name}"] = key.value, characters.read(key.data, "co", 3).tolist()
     return found

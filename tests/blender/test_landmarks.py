@@ -17,7 +17,7 @@ def mark(obj, name, place, weight=1.0):
 
 
 def test_one_pair_mends_a_limb(hero):
-    """Without it the matcher may take one leg for the other: the figure is nearly the same from the left and the right."""
+    """Without it the matcher may take one leg for the other: the figure is nearly the same on both sides."""
     other = c.remeshed(hero, "Other")
     for obj in (hero, other):
         mark(obj, "landmark toe", c.JOINTS["toe.L"])
@@ -63,18 +63,17 @@ def test_a_name_on_one_object_only_is_refused(hero):
 
 def test_added_in_edit_mode(hero):
     other = c.remeshed(hero, "Other")
-    for round in (1, 2):
-        for obj in (hero, other):
-            c.select_vertices(obj, [10 * round])
-        c.only(hero, other)
+    c.only(hero, other)
+    for vertex in (10, 20):
         bpy.ops.object.mode_set(mode="EDIT")
+        for obj in (hero, other):
+            c.select_vertices(obj, [vertex])
         assert bpy.ops.counterpart.add_landmark() == {"FINISHED"}
         assert bpy.context.mode == "EDIT_MESH"
         bpy.ops.object.mode_set(mode="OBJECT")
     assert landmark_pairs(hero, other).tolist() == [[10, 10], [20, 20]]
-    c.only(hero, other)
-    c.select_vertices(hero, [11, 20])
     bpy.ops.object.mode_set(mode="EDIT")
+    c.select_vertices(hero, [11, 20])
     with pytest.raises(RuntimeError, match="exactly one vertex on each object; 'Hero' has 2"):
         bpy.ops.counterpart.add_landmark()
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -6,7 +6,7 @@ import bpy
 import characters as c
 import numpy as np
 import pytest
-from digest import digest, differences
+from digest import differences, digest
 
 
 def rich_shuffled(hero):
@@ -19,7 +19,7 @@ def rich_shuffled(hero):
     del other.data["counterpart"]
     number = other.data.attributes.new("number", "INT", "POINT")
     number.data.foreach_set("value", old.astype(np.int32))
-    normals = c.read(other.data.corner_normals, "vector", 3) + (0.3, 0, 0.2)
+    normals = c.read(other.data.corner_normals, "vector", 3) + np.array((0.3, 0, 0.2))
     other.data.normals_split_custom_set(normals / np.linalg.norm(normals, axis=1, keepdims=True))
     return other, old
 
@@ -52,7 +52,9 @@ def test_the_map_is_the_identity_then(hero):
     other, _ = c.shuffled(hero, "Other")
     c.only(hero, other)
     bpy.ops.counterpart.restore_order()
-    assert np.array_equal(c.read(other.data.attributes["counterpart"].data, "value", 1)[:, 0], np.arange(len(hero.data.vertices)))
+    assert np.array_equal(
+        c.read(other.data.attributes["counterpart"].data, "value", 1)[:, 0], np.arange(len(hero.data.vertices))
+    )
     before = digest(other)
     c.only(hero, other)
     bpy.ops.counterpart.restore_order()
@@ -117,7 +119,9 @@ def by_vertex(obj, original):
 def corner_normals(obj, original):
     normals = c.read(obj.data.corner_normals, "vector", 3)
     return {
-        (frozenset(original[list(face.vertices)].tolist()), int(original[obj.data.loops[loop].vertex_index])): normals[loop]
+        (frozenset(original[list(face.vertices)].tolist()), int(original[obj.data.loops[loop].vertex_index])): normals[
+            loop
+        ]
         for face in obj.data.polygons
         for loop in face.loop_indices
     }

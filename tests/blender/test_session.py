@@ -94,7 +94,9 @@ class Pressed(WithMap):
 
 def a_window():
     manager = types.SimpleNamespace(
-        event_timer_add=lambda step, window: "timer", event_timer_remove=lambda timer: None, modal_handler_add=lambda op: True
+        event_timer_add=lambda step, window: "timer",
+        event_timer_remove=lambda timer: None,
+        modal_handler_add=lambda op: True,
     )
     workspace = types.SimpleNamespace(status_text_set=lambda text: workspace.texts.append(text), texts=[])
     return types.SimpleNamespace(
@@ -127,7 +129,7 @@ def test_escape_changes_nothing(hero):
     """Two figures whose match takes a while."""
     for name, mesh in (("A", cp.make_body(1)), ("B", cp.deform(cp.make_body(1), bend=0.8))):
         data = bpy.data.meshes.new(name)
-        data.from_pydata(mesh.vertices.tolist(), [], mesh.triangles[:-2 if name == "B" else None].tolist())
+        data.from_pydata(mesh.vertices.tolist(), [], mesh.triangles[: -2 if name == "B" else None].tolist())
         bpy.context.collection.objects.link(bpy.data.objects.new(name, data))
     c.only(bpy.data.objects["A"], bpy.data.objects["B"])
     before = everything()
@@ -197,7 +199,7 @@ def test_linked_and_overridden_objects_are_refused(hero, elsewhere):
     linked = to.objects[0]
     bpy.context.collection.objects.link(linked)
     c.only(other, linked)
-    with pytest.raises(RuntimeError, match="linked from another file.*Make Local"):
+    with pytest.raises(RuntimeError, match=r"linked from another file.*Make Local"):
         bpy.ops.counterpart.transfer()
     override = linked.override_create()
     bpy.context.collection.objects.link(override)
@@ -222,7 +224,7 @@ def test_sentences_for_what_is_no_mesh(hero):
     empty.instance_type = "COLLECTION"
     bpy.context.collection.objects.link(empty)
     c.only(hero, empty)
-    with pytest.raises(RuntimeError, match="'Crowd' is an instance of a collection.*Make Instances Real"):
+    with pytest.raises(RuntimeError, match=r"'Crowd' is an instance of a collection.*Make Instances Real"):
         bpy.ops.counterpart.match()
     twin = bpy.data.objects.new("Twin", hero.data)
     bpy.context.collection.objects.link(twin)

@@ -4,8 +4,8 @@
 
     carried(active, selected, carrier, ...) -> write
 
-which reads and computes everything, and changes nothing; `write()` then changes the selected object and returns notices,
-sentences of what a person should know.
+which reads and computes everything, and changes nothing; `write()` then changes the selected object and returns
+notices, sentences of what a person should know.
 """
 
 from __future__ import annotations

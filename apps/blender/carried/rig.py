@@ -11,8 +11,10 @@ from ..carrier import Carrier
 from . import Write
 
 # These keep what they need in numbers of the vertices, or in a bind, and so belong to one mesh.
-OF_ONE_MESH = {"MULTIRES", "SURFACE_DEFORM", "MESH_DEFORM", "LAPLACIANDEFORM", "HOOK", "CLOTH", "SOFT_BODY", "PARTICLE_SYSTEM",
-               "PARTICLE_INSTANCE", "FLUID", "DYNAMIC_PAINT", "COLLISION", "EXPLODE", "MESH_SEQUENCE_CACHE", "MESH_CACHE"}  # fmt: skip
+OF_ONE_MESH = {
+    "MULTIRES", "SURFACE_DEFORM", "MESH_DEFORM", "LAPLACIANDEFORM", "HOOK", "CLOTH", "SOFT_BODY", "PARTICLE_SYSTEM",
+    "PARTICLE_INSTANCE", "FLUID", "DYNAMIC_PAINT", "COLLISION", "EXPLODE", "MESH_SEQUENCE_CACHE", "MESH_CACHE",
+}  # fmt: skip
 FAR = 0.02  # of the size: from here on an object that gets a rig stands elsewhere
 OTHER_POSE = 0.05  # of the size, left over after moving
 
@@ -54,8 +56,8 @@ def onto_active(selected, carrier: Carrier) -> tuple[Matrix, list[str]]:
     notices = [f"'{selected.name}' was moved onto the active object, where its bones stand"]
     if left > OTHER_POSE:
         notices.append(
-            f"'{selected.name}' has another pose or size than the active object: {left:.0%} of the size is left between them, "
-            "so the bones are not inside it; pose it alike first"
+            f"'{selected.name}' has another pose or size than the active object: {left:.0%} of the size is left "
+            "between them, so the bones are not inside it; pose it alike first"
         )
     return Matrix(turn) @ selected.matrix_world, notices
 
@@ -82,8 +84,8 @@ def copy_settings(source, target) -> None:
         if not setting.is_readonly and name not in ("name", "type", "is_active"):
             setattr(target, name, getattr(source, name))
     if source.type == "NODES" and source.node_group is not None:
-        for key in source.keys():
-            target[key] = source[key]
+        for key, value in source.items():
+            target[key] = value
 
 
 def _rigid_motion(points: np.ndarray, goals: np.ndarray) -> np.ndarray:

@@ -14,8 +14,8 @@ LEAST = 1e-4  # weights below this are not written
 
 
 def carried(active, selected, carrier: Carrier, max_influences: int = 0) -> Write:
-    """`max_influences`: bones for each vertex; 0 for as many as the active object has anywhere. The sum of the bones' weights
-    stays what it was."""
+    """`max_influences`: bones for each vertex; 0 for as many as the active object has anywhere. The sum of the bones'
+    weights stays what it was."""
     names, weights = read_weights(active)
     bones = np.isin(names, list(deforming_bones(active)))
     largest = int((weights[:, bones] > LEAST).sum(axis=1).max(initial=0))

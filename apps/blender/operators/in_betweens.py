@@ -15,7 +15,7 @@ from .with_map import WithMap
 
 
 class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
-    """Turn the active object into each selected one, through shapes that bend instead of collapsing; plays as an action"""
+    """Turn the active object into each selected one, through shapes that bend instead of collapsing, as an action"""
 
     bl_idname = "counterpart.in_betweens"
     bl_label = "In-Betweens"

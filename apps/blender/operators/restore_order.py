@@ -29,7 +29,8 @@ class COUNTERPART_OT_restore_order(WithMap, bpy.types.Operator):
         if not found.is_one_to_one:
             raise Refused(
                 f"'{obj.name}' has not the same vertices as '{pair.active_object.name}' "
-                f"({len(pair.selected.vertices)} and {len(pair.active.vertices)}; {found.method}): 'Fit' gives it the active's mesh"
+                f"({len(pair.selected.vertices)} and {len(pair.active.vertices)}, matched as {found.method}): "
+                "'Fit' gives it the active's mesh"
             )
         if any(modifier.type == "MULTIRES" for modifier in obj.modifiers):
             raise Refused(

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""What all operators that need a map share: they look at everything first, match where no map is kept, tell the verdict, and
-only then change something."""
+"""What all operators that need a map share: they look at everything first, match where no map is kept, tell the
+verdict, and only then change something."""
 
 from __future__ import annotations
 
@@ -146,7 +146,7 @@ class WithMap:
         )
 
     def _matched(self, context):
-        """The maps are kept as a step of their own, which stays when the operator is undone or done with other options."""
+        """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
         found = self._job.result
         for pair, answer in zip(self._matching, found, strict=True):
             if pair.selected_object.data.library is None:
