@@ -57,8 +57,8 @@ def studio(width):
     """Light, camera and settings; `width` of what is seen, in meters."""
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    scene.cycles.samples, scene.cycles.use_denoising = 24, True
-    scene.render.resolution_x, scene.render.resolution_y = 720, 360
+    scene.cycles.samples, scene.cycles.use_denoising = 32, False
+    scene.render.resolution_x, scene.render.resolution_y = 640, 320
     scene.view_settings.view_transform = "Standard"
     scene.world = bpy.data.worlds.new("World")
     scene.world.use_nodes = True
@@ -76,7 +76,8 @@ def studio(width):
 
 def render(name):
     bpy.context.scene.render.filepath = str(IMAGES / name)
-    bpy.context.scene.render.image_settings.color_mode = "RGB"
+    settings = bpy.context.scene.render.image_settings
+    settings.color_mode, settings.compression = "RGB", 100
     bpy.ops.render.render(write_still=True)
 
 
@@ -151,7 +152,7 @@ def in_betweens_picture():
     c.only(hero, last)
     bpy.ops.counterpart.in_betweens(count=2, frames=1)
     studio(6.4)
-    bpy.context.scene.render.resolution_y = 210
+    bpy.context.scene.render.resolution_y = 190
     bpy.data.objects.remove(last)
     for i in range(4):
         frame = hero.copy()

@@ -129,8 +129,8 @@ class Carrier:
         return EdgeGraph(self.selected)
 
     def _on_one_side(self, values: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """From triangles' corners to faces' corners. A face with a seam along its diagonal goes to the side of its largest
-        triangle as a whole, whose values are continued in its plane."""
+        """From triangles' corners to faces' corners. A face with a seam along its diagonal goes to the side of its
+        largest triangle as a whole, whose values are continued in its plane."""
         loops, surface = self.selected.loops, self.selected
         carried = np.zeros((len(surface.corners), values.shape[1]))
         carried[loops.ravel()] = values[rows.ravel()]

@@ -10,14 +10,14 @@ from .objects import basis_positions, numbers
 
 
 def add_shape_key(obj, name: str, positions: np.ndarray):
-    """A shape key, relative to the Basis, which is made if it is missing; one of the same name is replaced."""
+    """A shape key at 0, relative to the Basis, which is made if it is missing; one of the same name is replaced."""
     if obj.data.shape_keys is None:
         obj.shape_key_add(name="Basis", from_mix=False)
     keys = obj.data.shape_keys
     key = keys.key_blocks.get(name)
     if key is None or key == keys.reference_key:
         key = obj.shape_key_add(name=name, from_mix=False)
-    key.relative_key = keys.reference_key
+    key.relative_key, key.value = keys.reference_key, 0
     key.data.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
     return key
 

@@ -42,7 +42,9 @@ def make_character(name="Hero", voxel=0.025):
             group.add([vertex], float(weights[vertex]), "REPLACE")
     obj.shape_key_add(name="Basis")
     for key, moves in true_moves(points).items():
-        obj.shape_key_add(name=key).data.foreach_set("co", (points + moves).astype(np.float32).ravel())
+        made = obj.shape_key_add(name=key)
+        made.data.foreach_set("co", (points + moves).astype(np.float32).ravel())
+        made.value = 0  # Blender 5 makes them with 1
     unwrap(obj)
     colors = obj.data.color_attributes.new("Paint", "FLOAT_COLOR", "POINT")
     colors.data.foreach_set("color", true_colors(points).astype(np.float32).ravel())

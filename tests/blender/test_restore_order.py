@@ -45,7 +45,7 @@ def test_shape_and_custom_normals_stay(hero):
     after = corner_normals(other, np.arange(len(old)))
     assert before.keys() == after.keys()
     worst = max(np.linalg.norm(np.subtract(before[corner], after[corner])) for corner in before)
-    assert worst < 2e-3  # Blender keeps them in 16 bits
+    assert worst < 1e-2  # half a degree: Blender keeps them in 16 bits
 
 
 def test_the_map_is_the_identity_then(hero):

@@ -167,7 +167,7 @@ def test_bones_for_each_vertex_are_limited(hero):
     transfer(hero, other, max_influences=2)
     assert max(len(vertex.groups) for vertex in other.data.vertices) == 2
     sums = [sum(g.weight for g in vertex.groups) for vertex in other.data.vertices]
-    assert max(abs(total - 1) for total in sums) < 0.01
+    assert max(abs(total - 1) for total in sums) < 0.03  # as on the original, which leaves out the smallest
 
 
 def test_drivers_and_actions_of_shape_keys(hero):
