@@ -68,7 +68,7 @@ def studio(width):
     sun.data.energy, sun.rotation_euler = 2.5, (0.8, 0.2, 0.5)
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     camera.data.type, camera.data.ortho_scale = "ORTHO", width
-    camera.location, camera.rotation_euler = (0, -8, 1.35), (math.radians(86.5), 0, 0)
+    camera.location, camera.rotation_euler = (0, -8, 1.48), (math.radians(86.5), 0, 0)
     for obj in (sun, camera):
         scene.collection.objects.link(obj)
     scene.camera = camera
@@ -90,7 +90,7 @@ def transfer_pictures():
     bare = retopo.copy()
     bpy.context.collection.objects.link(bare)
     wires(bare)
-    studio(3.7)
+    studio(4.2)
     retopo.hide_render = True
     armature.location.x = -0.85
     bare.location.x = 0.85
@@ -132,7 +132,7 @@ def map_picture():
     for obj in (hero, scan):
         obj.data.materials.clear()
         obj.data.materials.append(colored("Counterpart map"))
-    studio(3.7)
+    studio(4.2)
     armature.location.x, scan.location.x = -0.85, 0.85
     render("blender_map.png")
 
@@ -152,7 +152,7 @@ def in_betweens_picture():
     c.only(hero, last)
     bpy.ops.counterpart.in_betweens(count=2, frames=1)
     studio(6.4)
-    bpy.context.scene.render.resolution_y = 190
+    bpy.context.scene.render.resolution_y = 215
     bpy.data.objects.remove(last)
     for i in range(4):
         frame = hero.copy()

@@ -12,6 +12,7 @@ import counterpart3d as cp
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
+from .job import Progress, part_of
 from .objects import Surface
 
 NEAR = 0.01  # of the size: how far the surfaces may be from each other
@@ -31,7 +32,7 @@ def match_in_place(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
     return _nearest(selected, active, near, slice(None))
 
 
-def match_moved(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
+def match_moved(active: Surface, selected: Surface, progress: Progress = None) -> cp.SurfaceMap | None:
     """The same once the selected surface is moved: from each way to lay its principal axes on those of the active one
     by iterated closest points (Besl and McKay 1992), the best."""
     center, axes, size = _frame(active)
@@ -39,16 +40,18 @@ def match_moved(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
     laid = (selected.vertices - own_center) @ own_axes * (size / own_size)
     some = np.unique(np.linspace(0, len(laid) - 1, N_FITTED).astype(int))
     starts = [laid @ turn @ axes.T + center for turn in _turns()]
-    tries = [_icp(start[some], active, 10) for start in starts]
+    parts = [part_of(progress, i / len(starts), (i + 1) / len(starts)) for i in range(len(starts))]
+    tries = [_icp(start[some], active, 10, part) for start, part in zip(starts, parts, strict=True)]
     best = int(np.argmin([found.rms_distance for found in tries]))
-    matrix = _icp(starts[best][some], active, 100).matrix
+    matrix = _icp(starts[best][some], active, 100, part_of(progress, 1, 1)).matrix
     moved = starts[best] @ matrix[:3, :3].T + matrix[:3, 3]
     return match_in_place(active, replace(selected, vertices=moved))
 
 
-def _icp(points: np.ndarray, active: Surface, iterations: int) -> cp.AlignResult:
+def _icp(points: np.ndarray, active: Surface, iterations: int, progress: Progress) -> cp.AlignResult:
     """Points without faces of their own."""
-    return cp.align((points, [[0, 1, 2]]), active.mesh(), icp=True, model="similarity", max_iterations=iterations)
+    options = dict(icp=True, model="similarity", max_iterations=iterations, progress=progress)
+    return cp.align((points, [[0, 1, 2]]), active.mesh(), **options)
 
 
 def _frame(surface: Surface) -> tuple[np.ndarray, np.ndarray, float]:

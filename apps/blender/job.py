@@ -8,6 +8,14 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+Progress = Callable[[float], bool] | None
+"""Takes the fraction done, 0 .. 1; what it is given to cancels where it returns False. None: nobody asks."""
+
+
+def part_of(progress: Progress, begin: float, end: float) -> Progress:
+    """For one stage of a longer work: its 0 .. 1 is ``begin`` .. ``end`` of the whole."""
+    return None if progress is None else lambda fraction: progress(begin + (end - begin) * fraction)
+
 
 class Job:
     """Runs ``work(progress)`` in a thread. It must not touch Blender's data.

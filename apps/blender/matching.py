@@ -4,13 +4,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import counterpart3d as cp
 import numpy as np
 
 from .in_place import match_in_place, match_moved
+from .job import Progress, part_of
 from .landmarks import landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
@@ -74,12 +74,14 @@ def question(active: Surface, selected: Surface, landmarks: np.ndarray, options:
     return f"{selected.connectivity}>{active.connectivity} {known} {options.seen} {options.aligned} {options.part}"
 
 
-def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> StoredMap:
+def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     """Raises cp.Canceled, and cp.InvalidInput with a sentence for meshes that cannot be matched."""
     ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
     asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
-    if not len(pair.landmarks) and not cp.match_exact(*ends).identical:
-        points = match_in_place(pair.active, pair.selected) or match_moved(pair.active, pair.selected)
+    if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
+        points = match_in_place(pair.active, pair.selected)
+        if points is None:
+            points = match_moved(pair.active, pair.selected, part_of(progress, 0.05, 0.2))
         if points is not None:
             return _in_place(pair, points, asked)
     result = cp.match(
@@ -88,7 +90,7 @@ def match_pair(pair: Pair, progress: Callable[[float], bool] | None = None) -> S
         aligned=options.aligned,
         part=options.part,
         n_alternatives=1,
-        progress=progress,
+        progress=part_of(progress, 0.2, 1),
     )
     vertex = np.asarray(result.target_from_source, np.int32)
     said = verdict_on(result, int((vertex[pair.landmarks[:, 0]] != pair.landmarks[:, 1]).sum()))

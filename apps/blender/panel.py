@@ -51,8 +51,10 @@ def draw_object(layout, obj, active) -> None:
         return
     box = layout.box()
     box.label(text=f"{obj.name}: {found['verdict']}", icon=ICONS.get(found["verdict"], "QUESTION"))
+    reason = box.column(align=True)
+    reason.scale_y = 0.75
     for line in textwrap.wrap(found["reason"], LINE):
-        box.label(text=line)
+        reason.label(text=line)
     landmarks = sum(is_landmark(group.name) for group in obj.vertex_groups)
     if landmarks:
         box.label(text=f"{landmarks} landmark{'s' if landmarks > 1 else ''}")
