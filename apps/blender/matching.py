@@ -14,7 +14,6 @@ from .job import Progress, part_of
 from .landmarks import landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
-from .verdict import verdict_on
 
 
 @dataclass(frozen=True)
@@ -93,7 +92,6 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         progress=part_of(progress, 0.2, 1),
     )
     vertex = np.asarray(result.target_from_source, np.int32)
-    said = verdict_on(result, int((vertex[pair.landmarks[:, 0]] != pair.landmarks[:, 1]).sum()))
     found = result.spectral or result.partial
     return StoredMap(
         vertex,
@@ -102,9 +100,9 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         found.alternatives[0].target_from_source if found and found.alternatives else None,
         **asked,
         method=result.method,
-        verdict=said.word,
-        reason=said.reason,
-        notices=" ".join(result.notices),
+        verdict=result.verdict.advice,
+        reason="; ".join(_said(message) for message in (*result.verdict.reasons[:2], *result.causes[:1])),
+        notices="; ".join(_said(message) for message in result.notices),
     )
 
 
@@ -115,6 +113,12 @@ def _in_place(pair: Pair, points: cp.SurfaceMap, asked: dict[str, str]) -> Store
         method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do so when moved"
     )
     return StoredMap(vertex, points, confidence, None, **asked, **said)
+
+
+def _said(message: cp.Message) -> str:
+    """The library's sentence, with the objects as they are called here."""
+    subject = {"source": "selected object: ", "target": "active object: "}.get(message.where.subject, "")
+    return subject + message.sentence
 
 
 def _points(pair: Pair, vertex: np.ndarray) -> cp.SurfaceMap:

@@ -35,7 +35,7 @@ class StoredMap:
     runner_up : (n_selected,) int32, as `vertex`, or None
     active : the name of the active object
     question : what was asked, to know whether it is still the same: see `matching.question`
-    method, verdict, reason, notices : see cp.MatchResult and `verdict`
+    method, verdict, reason, notices : see cp.MatchResult; the last two as sentences
     """
 
     vertex: np.ndarray
