@@ -4,7 +4,7 @@
 #
 # Everything: the gate (.ci/run), then what only this covers. A release needs it, and a change of what it alone covers
 # (CONTRIBUTING.md lists that). scripts/check_all.sh [STEP...] runs some of the steps, in this order:
-#   gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels debian fuzz
+#   gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels blender debian fuzz
 # `debian` needs root and debootstrap. Goes on after a step that fails, and names them all at the end. Hours on two cores.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -31,11 +31,13 @@ wheels() {
   [ -n "$newer" ] && ! python3 -c 'import sys; sys.exit(sys.version_info < (3, 12))' && pythons+=("$newer")
   scripts/wheel.sh "${pythons[@]}"
 }
+# With the wheel that the step before made for CPython 3.11, if it did.
+blender() { scripts/test_blender.sh; }
 debian() { scripts/test_debian.sh bookworm && scripts/test_debian.sh trixie; }
 # Ten minutes, shared by all targets.
 fuzz() { scripts/fuzz.sh 33; }
 
-steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels debian fuzz}
+steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels blender debian fuzz}
 failed=()
 for step in $steps; do
   echo "=== $step"

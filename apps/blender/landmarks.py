@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Landmarks: vertex groups of the same name on both objects, named "landmark" and anything."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .objects import Refused
+
+PREFIX = "landmark"
+
+
+def is_landmark(name: str) -> bool:
+    return name.lower().startswith(PREFIX)
+
+
+def landmark_pairs(first, second) -> np.ndarray:
+    """Pairs of vertices (first, second), one of each name; refused where a name is on one object only, or empty."""
+    ours, theirs = landmarks_of(first), landmarks_of(second)
+    for name in sorted(ours.keys() ^ theirs.keys()):
+        has, lacks = (first, second) if name in ours else (second, first)
+        raise Refused(
+            f"Vertex group '{name}' is on '{has.name}' but not on '{lacks.name}': add it there, or remove it here"
+        )
+    return np.array([(ours[name], theirs[name]) for name in sorted(ours)], np.int32).reshape(-1, 2)
+
+
+def landmarks_of(obj) -> dict[str, int]:
+    """The vertex of each landmark: that with the largest weight, of several the one nearest to their middle."""
+    names = {group.index: group.name for group in obj.vertex_groups if is_landmark(group.name)}
+    weights: dict[str, dict[int, float]] = {name: {} for name in names.values()}
+    if names:
+        for vertex in obj.data.vertices:
+            for element in vertex.groups:
+                if element.group in names and element.weight > 0:
+                    weights[names[element.group]][vertex.index] = element.weight
+    return {name: _strongest(obj, name, of_vertex) for name, of_vertex in weights.items()}
+
+
+def add_landmark(objects_and_vertices) -> str:
+    """A landmark of one new name on each of the objects, at one vertex each."""
+    taken = {group.name for obj, _ in objects_and_vertices for group in obj.vertex_groups}
+    number = next(i for i in range(1, len(taken) + 2) if f"{PREFIX} {i}" not in taken)
+    for obj, vertex in objects_and_vertices:
+        obj.vertex_groups.new(name=f"{PREFIX} {number}").add([vertex], 1.0, "REPLACE")
+    return f"{PREFIX} {number}"
+
+
+def _strongest(obj, name: str, weights: dict[int, float]) -> int:
+    if not weights:
+        raise Refused(f"Vertex group '{name}' of '{obj.name}' is empty: assign a vertex to it, or remove it")
+    largest = max(weights.values())
+    vertices = [vertex for vertex, weight in weights.items() if weight == largest]
+    points = np.array([obj.data.vertices[vertex].co for vertex in vertices])
+    return vertices[int(np.linalg.norm(points - points.mean(axis=0), axis=1).argmin())]

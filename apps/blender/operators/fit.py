@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The active object's topology on the surface of each selected one."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from ..shapes import PLACES, active_in_shape_of, placed
+from ..writing import add_shape_key, moved_copy
+from .with_map import WithMap
+
+
+class COUNTERPART_OT_fit(WithMap, bpy.types.Operator):
+    """Lay the mesh of the active object, with its quads, on the surface of each selected one"""
+
+    bl_idname = "counterpart.fit"
+    bl_label = "Fit"
+    writes_selected = False
+    may_differ = True
+
+    result: bpy.props.EnumProperty(
+        name="Result",
+        items=(
+            (
+                "OBJECT",
+                "New Object",
+                "A copy of the active object with all its data, on the surface of the selected one",
+            ),
+            ("SHAPE_KEY", "Shape Key", "A shape key of the active object, named like the selected one"),
+        ),
+    )
+    stiffness: bpy.props.FloatProperty(
+        name="Stiffness",
+        description="How large a feature must be to be followed, in edges of the active mesh",
+        default=1,
+        min=0.1,
+        max=10,
+    )
+    place: bpy.props.EnumProperty(name="Place of Shape Keys", items=PLACES)
+
+    @property
+    def writes_active(self):
+        return self.result == "SHAPE_KEY"
+
+    def prepare(self, context, pair, found):
+        points = active_in_shape_of(pair, found, self.stiffness)
+        active, selected = pair.active_object, pair.selected_object
+        if self.result == "SHAPE_KEY":
+            shape = pair.active.to_local(placed(points, self.place, pair))
+        else:
+            shape = pair.active.to_local(points)
+
+        def write():
+            if self.result == "SHAPE_KEY":
+                add_shape_key(active, selected.name, shape)
+            else:
+                moved_copy(active, selected, np.asarray(shape))
+            return []
+
+        return write

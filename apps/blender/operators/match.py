@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Match, and keep the map."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..stored_map import store
+from .with_map import WithMap
+
+
+class COUNTERPART_OT_match(WithMap, bpy.types.Operator):
+    """Find the vertex of the active object for each vertex of the selected ones, and keep it with them"""
+
+    bl_idname = "counterpart.match"
+    bl_label = "Match"
+
+    def prepare(self, context, pair, found):
+        def write():
+            store(pair.selected_object.data, found)
+            return []
+
+        return write

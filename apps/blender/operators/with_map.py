@@ -1,0 +1,221 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""What all operators that need a map share: they look at everything first, match where no map is kept, tell the
+verdict, and only then change something."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable
+from contextlib import contextmanager
+
+import bpy
+import counterpart3d as cp
+
+from ..job import Job
+from ..matching import Options, Pair, match_pair, read_pair
+from ..objects import Refused, require_editable
+from ..stored_map import StoredMap, store
+
+LINE = 80  # characters of a sentence in the dialog
+PARTS = (
+    ("unknown", "Seen from the Meshes", "Open meshes are matched as parts, closed ones as wholes"),
+    ("source", "Selected Is a Part", "The selected objects show only a part of the active one"),
+    ("target", "Active Is a Part", "The active object shows only a part of the selected ones"),
+    ("both", "Both Are Parts", "They show parts of one thing that overlap"),
+    ("neither", "Both Are Whole", "Both show the whole, with holes or fused parts"),
+)
+
+
+class WithMap:
+    """Base of the operators. They say in `prepare` what they do with one selected object."""
+
+    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+    writes_active = False  # the active object is changed
+    writes_selected = True
+    may_differ = False  # the modifiers of a selected object may make other vertices
+
+    seen: bpy.props.BoolProperty(
+        name="As Seen, with Modifiers",
+        description="Match the shapes that the modifiers make (posed, sculpted), not those of Edit Mode",
+        default=False,
+    )
+    aligned: bpy.props.BoolProperty(
+        name="Facing the Same Way",
+        description="Left, up and front of both objects point the same way, roughly: fewer things to confuse",
+        default=False,
+    )
+    part: bpy.props.EnumProperty(name="Parts", description="Which object shows only a part of the other", items=PARTS)
+    use_doubtful: bpy.props.BoolProperty(
+        name="Use Doubtful Maps",
+        description="Go on even where the verdict is 'do not use'",
+        default=False,
+        options={"SKIP_SAVE"},
+    )
+
+    def prepare(self, context, pair: Pair, found: StoredMap) -> Callable[[], list[str]]:
+        """Reads and computes all that is needed and changes nothing; what it returns changes the objects, and returns
+        notices."""
+        raise NotImplementedError
+
+    @classmethod
+    def poll(cls, context):
+        active, others = (
+            context.active_object,
+            [obj for obj in context.selected_objects if obj != context.active_object],
+        )
+        if active is None or active.type != "MESH" or not others:
+            cls.poll_message_set("Select one or several meshes, then the active one last (Shift click)")
+            return False
+        if context.mode != "OBJECT":
+            cls.poll_message_set("Only in Object Mode (Tab)")
+            return False
+        return True
+
+    def invoke(self, context, event):
+        with self._refusing():
+            pairs = self._pairs(context)
+            if any(pair.kept is None for pair in pairs):
+                return self._start(context, pairs)
+            if any(pair.kept.verdict != "use" for pair in pairs):
+                return self._ask(context, pairs)
+            return self.execute(context)
+        return {"CANCELLED"}
+
+    def execute(self, context):
+        with self._refusing():
+            pairs = self._pairs(context)
+            found = [pair.kept or match_pair(pair) for pair in pairs]
+            return self._finish(context, pairs, found)
+        return {"CANCELLED"}
+
+    def modal(self, context, event):
+        if event.type == "ESC" and event.value == "PRESS":
+            self._job.cancel()
+            context.workspace.status_text_set("Canceling ...")
+        if event.type == "TIMER" and self._job.is_done:
+            self._end(context)
+            with self._refusing():
+                if self._job.error is not None:
+                    raise self._job.error
+                return self._matched(context)
+            return {"CANCELLED"}
+        if event.type == "TIMER" and not self._job.is_canceled:
+            context.workspace.status_text_set(f"{self.bl_label}: matching, {self._job.fraction:.0%}     Esc: cancel")
+        return {"RUNNING_MODAL"}  # nothing else may change the objects meanwhile
+
+    def cancel(self, context):
+        """Blender closes, or the person closes the dialog, in which case no job runs."""
+        if hasattr(self, "_job"):
+            self._job.cancel()
+            self._end(context)
+
+    def _end(self, context):
+        """What the job left in the window goes."""
+        context.window_manager.event_timer_remove(self._timer)
+        context.workspace.status_text_set(None)
+
+    def draw(self, context):
+        """In the panel of the last operation, and in the dialog that asks."""
+        layout = self.layout
+        for sentence in getattr(self, "_doubts", ()):
+            for i, line in enumerate(textwrap.wrap(sentence, LINE)):
+                layout.label(text=line, icon="NONE" if i else "ERROR")
+        layout.use_property_split = True
+        for name in self.__class__.__annotations__:
+            layout.prop(self, name)
+        layout.separator()
+        for name in ("seen", "aligned", "part", "use_doubtful"):
+            layout.prop(self, name)
+
+    def _start(self, context, pairs):
+        self._matching = pairs
+        self._job = Job(lambda progress: _matched_pairs(pairs, progress))
+        self._timer = context.window_manager.event_timer_add(0.1, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def _ask(self, context, pairs):
+        """The dialog with the verdicts: nothing is changed unless it is confirmed."""
+        self._doubts = [
+            f"{pair.selected_object.name}, {pair.kept.sentence}" for pair in pairs if pair.kept.verdict != "use"
+        ]
+        self.use_doubtful = True  # whoever confirms wants that
+        return context.window_manager.invoke_props_dialog(
+            self, width=480, title="Look at the Map before Using It", confirm_text="Use It All the Same"
+        )
+
+    def _matched(self, context):
+        """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
+        found = self._job.result
+        for pair, answer in zip(self._matching, found, strict=True):
+            if pair.selected_object.data.library is None:
+                store(pair.selected_object.data, answer)
+        bpy.ops.ed.undo_push(message="Match")
+        doubts = [(pair, answer) for pair, answer in zip(self._matching, found, strict=True) if answer.verdict != "use"]
+        if doubts and self.writes_selected | self.writes_active:
+            for pair, answer in doubts:
+                self.report(
+                    {"WARNING"},
+                    f"'{pair.selected_object.name}', {answer.sentence}. Nothing was changed: press again to go on",
+                )
+            return {"FINISHED"}
+        return self._finish(context, self._matching, found)
+
+    def _pairs(self, context) -> list[Pair]:
+        active = context.active_object
+        others = [obj for obj in context.selected_objects if obj != active]
+        if self.writes_active:
+            require_editable(active)
+        if self.writes_selected:
+            for obj in others:
+                require_editable(obj)
+        options = Options(seen=self.seen, aligned=self.aligned, part=self.part)
+        depsgraph = context.evaluated_depsgraph_get()
+        return [read_pair(active, obj, options, depsgraph, may_differ=self.may_differ) for obj in others]
+
+    def _finish(self, context, pairs: list[Pair], found: list[StoredMap]):
+        for pair, answer in zip(pairs, found, strict=True):
+            if answer.verdict == "do not use" and not self.use_doubtful:
+                raise Refused(
+                    f"'{pair.selected_object.name}', {answer.sentence}. 'Use Doubtful Maps' goes on all the same"
+                )
+        changes = [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
+        for pair, answer in zip(pairs, found, strict=True):
+            if self.writes_selected:
+                store(pair.selected_object.data, answer)
+        notices = [notice for change in changes for notice in change()]
+        for pair, answer in zip(pairs, found, strict=True):
+            if answer.verdict != "use":
+                notices.append(f"'{pair.selected_object.name}', {answer.sentence}")
+        for pair in pairs:
+            pair.selected_object.data.update()
+        pairs[0].active_object.data.update()
+        for notice in notices:
+            self.report({"WARNING"}, notice)
+        if not notices:
+            self.report({"INFO"}, f"{self.bl_label}: {', '.join(repr(pair.selected_object.name) for pair in pairs)}")
+        return {"FINISHED"}
+
+    @contextmanager
+    def _refusing(self):
+        """What is refused is said, and ends in CANCELLED."""
+        try:
+            yield
+        except cp.Canceled:
+            self.report({"INFO"}, f"{self.bl_label}: canceled, nothing was changed")
+        except (Refused, cp.InvalidInput, cp.UnsuitableMesh, cp.NumericalError) as error:
+            self.report({"ERROR"}, str(error))
+
+
+def _matched_pairs(pairs: list[Pair], progress: Callable[[float], bool]) -> list[StoredMap]:
+    missing = sum(pair.kept is None for pair in pairs)
+    found: list[StoredMap] = []
+    done = 0
+    for pair in pairs:
+        if pair.kept is not None:
+            found.append(pair.kept)
+            continue
+        found.append(match_pair(pair, lambda fraction, done=done: progress((done + fraction) / missing)))
+        done += 1
+    return found

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The map that an object keeps: for each of its vertices, the point of the other object that corresponds to it.
+
+The numbers are attributes of the selected object's mesh, saved with the file; what was said of them is a custom
+property of it. A map holds as long as neither mesh gets other vertices or faces; shapes may change.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import counterpart3d as cp
+import numpy as np
+
+from .objects import Surface, numbers
+
+VERTEX, TRIANGLE, WEIGHTS = "counterpart", "counterpart_triangle", "counterpart_weights"
+CONFIDENCE, RUNNER_UP = "counterpart_confidence", "counterpart_runner_up"
+NAMES = (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE, RUNNER_UP)
+PROPERTY = "counterpart"
+SAID = ("active", "question", "method", "verdict", "reason", "notices")
+
+
+@dataclass(frozen=True)
+class StoredMap:
+    """A map with what was said of it.
+
+    Attributes
+    ----------
+    vertex : (n_selected,) int32, the vertex of the active object, -1 for none
+    points : the point of one of Blender's triangles of the active object; matched where `vertex` is
+    confidence : (n_selected,) float32, 0 .. 1
+    runner_up : (n_selected,) int32, as `vertex`, or None
+    active : the name of the active object
+    question : what was asked, to know whether it is still the same: see `matching.question`
+    method, verdict, reason, notices : see cp.MatchResult; the last two as sentences
+    """
+
+    vertex: np.ndarray
+    points: cp.SurfaceMap
+    confidence: np.ndarray
+    runner_up: np.ndarray | None
+    active: str
+    question: str
+    method: str
+    verdict: str
+    reason: str
+    notices: str
+
+    @property
+    def sentence(self) -> str:
+        return f"{self.verdict}: {self.reason}" if self.reason else self.verdict
+
+    @cached_property
+    def is_one_to_one(self) -> bool:
+        """Each vertex of either object has one of the other. Unused vertices of the active object are for nobody."""
+        ordered = np.sort(self.vertex)
+        at_vertices = (self.points.triangle < 0) | (self.points.weights.max(axis=1) == 1)
+        return bool(at_vertices.all()) and np.array_equal(ordered, np.arange(len(ordered)))
+
+
+def points_at_vertices(active: Surface, vertex: np.ndarray) -> cp.SurfaceMap:
+    """Each vertex as a corner of one of its triangles; unmatched where it has none."""
+    triangle = np.full(len(active.vertices), -1, np.int32)
+    corner = np.zeros(len(active.vertices), np.int64)
+    for c in range(3):
+        triangle[active.triangles[:, c]] = np.arange(len(active.triangles))
+        corner[active.triangles[:, c]] = c
+    triangles = np.where(vertex >= 0, triangle[vertex], -1).astype(np.int32)
+    weights = np.zeros((len(vertex), 3))
+    weights[np.arange(len(vertex)), corner[vertex]] = 1
+    weights[triangles < 0] = 0
+    return cp.SurfaceMap(triangles, weights)
+
+
+def store(mesh, found: StoredMap) -> None:
+    """Only where the map is one of the mesh's vertices: not of those that modifiers make."""
+    if len(found.vertex) != len(mesh.vertices):
+        return
+    _write(mesh, VERTEX, "INT", "value", found.vertex)
+    _write(mesh, TRIANGLE, "INT", "value", found.points.triangle)
+    _write(mesh, WEIGHTS, "FLOAT_VECTOR", "vector", found.points.weights.astype(np.float32).ravel())
+    _write(mesh, CONFIDENCE, "FLOAT", "value", found.confidence)
+    if found.runner_up is not None:
+        _write(mesh, RUNNER_UP, "INT", "value", found.runner_up)
+    elif RUNNER_UP in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes[RUNNER_UP])
+    mesh[PROPERTY] = {name: getattr(found, name) for name in SAID}
+
+
+def stored(mesh) -> StoredMap | None:
+    """What the mesh keeps, whether or not it still holds."""
+    said = mesh.get(PROPERTY)
+    if said is None or any(name not in mesh.attributes for name in (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE)):
+        return None
+    weights = numbers(mesh.attributes[WEIGHTS].data, "vector", (-1, 3)).astype(np.float64)
+    sums = weights.sum(axis=1, keepdims=True)
+    return StoredMap(
+        _read(mesh, VERTEX, np.int32),
+        cp.SurfaceMap(_read(mesh, TRIANGLE, np.int32), weights / np.where(sums > 0, sums, 1)),
+        _read(mesh, CONFIDENCE, np.float32),
+        _read(mesh, RUNNER_UP, np.int32) if RUNNER_UP in mesh.attributes else None,
+        **{name: str(said[name]) for name in SAID},
+    )
+
+
+def _read(mesh, name: str, dtype) -> np.ndarray:
+    return numbers(mesh.attributes[name].data, "value", (-1,), dtype)
+
+
+def _write(mesh, name: str, kind: str, value: str, values: np.ndarray) -> None:
+    attribute = mesh.attributes.get(name)
+    if attribute is not None and (attribute.domain, attribute.data_type) != ("POINT", kind):
+        mesh.attributes.remove(attribute)
+        attribute = None
+    if attribute is None:
+        attribute = mesh.attributes.new(name, kind, "POINT")
+    attribute.data.foreach_set(value, values)

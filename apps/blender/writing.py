@@ -1,0 +1,46 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""New shapes: as shape keys, as copies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .objects import basis_positions, numbers
+
+
+def add_shape_key(obj, name: str, positions: np.ndarray):
+    """A shape key at 0, relative to the Basis, which is made if it is missing; one of the same name is replaced."""
+    if obj.data.shape_keys is None:
+        obj.shape_key_add(name="Basis", from_mix=False)
+    keys = obj.data.shape_keys
+    key = keys.key_blocks.get(name)
+    if key is None or key == keys.reference_key:
+        key = obj.shape_key_add(name=name, from_mix=False)
+    key.relative_key, key.value = keys.reference_key, 0
+    key.data.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
+    return key
+
+
+def moved_copy(obj, beside, positions: np.ndarray):
+    """A copy of the object in this shape, in the collections of another; its shape keys move along. Without modifiers
+    and parent, which would move it away."""
+    copy = obj.copy()
+    copy.data = obj.data.copy()
+    copy.name = copy.data.name = f"{beside.name} fit"
+    matrix = obj.matrix_world.copy()
+    copy.animation_data_clear()
+    copy.constraints.clear()
+    copy.modifiers.clear()
+    copy.parent = None
+    copy.matrix_world = matrix
+    shift = positions - basis_positions(copy.data)
+    if copy.data.shape_keys is not None:
+        for key in copy.data.shape_keys.key_blocks:
+            moved = numbers(key.data, "co", (-1, 3)) + shift
+            key.data.foreach_set("co", np.ascontiguousarray(moved, np.float32).ravel())
+    copy.data.vertices.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
+    copy.data.update()
+    for collection in beside.users_collection:
+        collection.objects.link(copy)
+    return copy

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Makes the zip of the extension for Blender and prints its name: scripts/blender_zip.py FOLDER_OF_WHEELS FOLDER.
+
+The manifest gets the project's version, the wheels, and the platforms that these are for."""
+
+import json
+import pathlib
+import re
+import sys
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+EXTENSION = ROOT / "apps" / "blender"
+SYSTEMS = {"manylinux": "linux", "linux": "linux", "win": "windows", "macosx": "macos"}
+MACHINES = {"x86_64": "x64", "amd64": "x64", "aarch64": "arm64", "arm64": "arm64"}
+
+
+def version():
+    return re.search(r"project\(counterpart VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
+
+
+def platforms(wheels):
+    """Blender's names of what the wheels run on: linux-x64, windows-x64, macos-arm64, ..."""
+    found = set()
+    for wheel in wheels:
+        for tag in wheel.stem.split("-")[-1].split("."):
+            system = next((ours for theirs, ours in SYSTEMS.items() if tag.startswith(theirs)), None)
+            machine = next((ours for theirs, ours in MACHINES.items() if tag.endswith(theirs)), None)
+            if system is None or machine is None:
+                sys.exit(f"blender: {wheel.name} is for a platform that Blender does not know")
+            found.add(f"{system}-{machine}")
+    return sorted(found)
+
+
+def manifest(wheels):
+    lines = [(EXTENSION / "blender_manifest.toml").read_text().rstrip(), f'version = "{version()}"']
+    for name, values in (("platforms", platforms(wheels)), ("wheels", [f"./wheels/{wheel.name}" for wheel in wheels])):
+        lines.append(f"{name} = {json.dumps(values)}")
+    return "\n".join(lines) + "\n"
+
+
+def contents(wheels):
+    """Names in the zip, and what is there."""
+    yield "blender_manifest.toml", manifest(wheels).encode()
+    yield "LICENSE", (ROOT / "LICENSE").read_bytes()
+    for file in sorted(EXTENSION.rglob("*.py")):
+        yield file.relative_to(EXTENSION).as_posix(), file.read_bytes()
+    for wheel in wheels:
+        yield f"wheels/{wheel.name}", wheel.read_bytes()
+
+
+def main():
+    wheels = sorted(pathlib.Path(sys.argv[1]).glob("counterpart3d-*.whl"))
+    if not wheels:
+        sys.exit(f"blender: no wheels in {sys.argv[1]}: scripts/wheel.sh makes them")
+    target = pathlib.Path(sys.argv[2]) / f"counterpart-{version()}.zip"
+    target.parent.mkdir(parents=True, exist_ok=True)
+    partial = target.with_suffix(".part")
+    with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in contents(wheels):
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
+    partial.replace(target)
+    print(target)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,249 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Undo, cancel, save and load, refusals: whatever happens, a person's work is as it was or as it should be."""
+
+import shutil
+import types
+
+import bpy
+import characters as c
+import counterpart3d as cp
+import numpy as np
+import pytest
+from counterpart_extension.job import Job
+from counterpart_extension.operators.with_map import WithMap
+from counterpart_extension.stored_map import stored
+from digest import differences, everything
+
+OPERATORS = {
+    "match": {},
+    "transfer": {},
+    "restore_order": {},
+    "fit": {},
+    "join_shape_keys": {},
+    "in_betweens": {"count": 2},
+    "show": {"what": "CONFIDENCE"},
+}
+
+
+@pytest.mark.parametrize("name", OPERATORS)
+def test_undo_restores_everything(hero, name):
+    other, _ = c.shuffled(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.ed.undo_push(message="Start")
+    before = everything()
+    getattr(bpy.ops.counterpart, name)("EXEC_DEFAULT", True, **OPERATORS[name])
+    assert differences(before, everything()) != []
+    bpy.ops.ed.undo()
+    assert differences(before, everything()) == []
+    bpy.ops.ed.redo()
+    assert differences(before, everything()) != []
+
+
+def test_a_saved_file_is_the_same(hero, tmp_path):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.transfer()
+    before, kept = everything(), stored(other.data)
+    file = str(tmp_path / "done.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=file)
+    bpy.ops.wm.open_mainfile(filepath=file)
+    assert differences(before, everything()) == []
+    again = stored(bpy.data.objects["Other"].data)
+    assert np.array_equal(kept.points.weights, again.points.weights) and kept.question == again.question
+
+
+def test_a_kept_map_is_used(hero, monkeypatch):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", None)
+    assert bpy.ops.counterpart.transfer() == {"FINISHED"}
+    assert bpy.ops.counterpart.show(what="MAP") == {"FINISHED"}
+
+
+def test_a_kept_map_goes_with_other_faces(hero, monkeypatch):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    other.vertex_groups.new(name="landmark 1").add([0], 1, "REPLACE")
+    hero.vertex_groups.new(name="landmark 1").add([0], 1, "REPLACE")
+    asked = []
+    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", lambda pair: asked.append(pair) or 1 / 0)
+    with pytest.raises(RuntimeError, match="ZeroDivisionError"):
+        bpy.ops.counterpart.match()
+    assert len(asked) == 1 and len(asked[0].landmarks) == 1
+
+
+class Pressed(WithMap):
+    """An operator as a person presses it, without a window: what Blender does is done by hand."""
+
+    bl_label = "Pressed"
+    seen, aligned, part, use_doubtful = False, False, "unknown", False
+
+    def __init__(self):
+        self.said = []
+        self.done = []
+
+    def report(self, kind, sentence):
+        self.said.append((*kind, sentence))
+
+    def prepare(self, context, pair, found):
+        return lambda: self.done.append(found) or []
+
+
+def a_window():
+    manager = types.SimpleNamespace(
+        event_timer_add=lambda step, window: "timer",
+        event_timer_remove=lambda timer: None,
+        modal_handler_add=lambda op: True,
+    )
+    workspace = types.SimpleNamespace(status_text_set=lambda text: workspace.texts.append(text), texts=[])
+    return types.SimpleNamespace(
+        active_object=bpy.context.active_object,
+        selected_objects=list(bpy.context.selected_objects),
+        evaluated_depsgraph_get=bpy.context.evaluated_depsgraph_get,
+        window_manager=manager,
+        workspace=workspace,
+        window=None,
+    )
+
+
+def event(kind):
+    return types.SimpleNamespace(type=kind, value="PRESS")
+
+
+def test_pressed_matches_in_the_background_then_acts(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    pressed, window = Pressed(), a_window()
+    assert pressed.invoke(window, event("LEFTMOUSE")) == {"RUNNING_MODAL"}
+    assert pressed.modal(window, event("MOUSEMOVE")) == {"RUNNING_MODAL"}
+    pressed._job.wait()
+    assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert len(pressed.done) == 1 and stored(other.data) is not None
+    assert window.workspace.texts[-1] is None
+
+
+def test_escape_changes_nothing(hero):
+    """Two figures whose match takes a while."""
+    for name, mesh in (("A", cp.make_body(1)), ("B", cp.deform(cp.make_body(1), bend=0.8))):
+        data = bpy.data.meshes.new(name)
+        data.from_pydata(mesh.vertices.tolist(), [], mesh.triangles[: -2 if name == "B" else None].tolist())
+        bpy.context.collection.objects.link(bpy.data.objects.new(name, data))
+    c.only(bpy.data.objects["A"], bpy.data.objects["B"])
+    before = everything()
+    pressed, window = Pressed(), a_window()
+    pressed.aligned = True
+    assert pressed.invoke(window, event("LEFTMOUSE")) == {"RUNNING_MODAL"}
+    assert pressed.modal(window, event("ESC")) == {"RUNNING_MODAL"}
+    pressed._job.wait()
+    assert isinstance(pressed._job.error, cp.Canceled)
+    assert pressed.modal(window, event("TIMER")) == {"CANCELLED"}
+    assert pressed.done == [] and differences(before, everything()) == []
+    assert pressed.said == [("INFO", "Pressed: canceled, nothing was changed")]
+
+
+def test_closing_the_dialog_is_no_error(hero):
+    Pressed().cancel(a_window())
+
+
+def test_a_doubtful_map_is_told_before_anything_is_changed(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    pressed, window = Pressed(), a_window()
+    pressed.invoke(window, event("LEFTMOUSE"))
+    pressed._job.wait()
+    from dataclasses import replace
+
+    pressed._job.result = [replace(pressed._job.result[0], verdict="check", reason="left may be right")]
+    assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert pressed.done == []
+    assert pressed.said[0][0] == "WARNING" and "left may be right" in pressed.said[0][1]
+    assert stored(other.data).verdict == "check"
+
+
+def test_a_rejected_map_needs_consent(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    other.data["counterpart"]["verdict"] = "do not use"
+    before = everything()
+    with pytest.raises(RuntimeError, match="Use Doubtful Maps"):
+        bpy.ops.counterpart.transfer()
+    assert differences(before, everything()) == []
+    assert bpy.ops.counterpart.transfer(use_doubtful=True) == {"FINISHED"}
+
+
+def test_one_that_is_refused_stops_all(hero):
+    """Nothing is half done: the first would have worked."""
+    first, _ = c.shuffled(hero, "First")
+    second = c.remeshed(hero, "Second")
+    before = everything()
+    c.only(hero, first, second)
+    with pytest.raises(RuntimeError, match="'Second' has not the same vertices"):
+        bpy.ops.counterpart.restore_order()
+    assert differences(before, everything()) == []
+
+
+@pytest.fixture
+def elsewhere(hero, hero_file, tmp_path):
+    """The character in another file than the open one."""
+    return str(shutil.copy(hero_file, tmp_path / "library.blend"))
+
+
+def test_linked_and_overridden_objects_are_refused(hero, elsewhere):
+    other = c.remeshed(hero, "Other")
+    with bpy.data.libraries.load(elsewhere, link=True) as (_, to):
+        to.objects = ["Hero"]
+    linked = to.objects[0]
+    bpy.context.collection.objects.link(linked)
+    c.only(other, linked)
+    with pytest.raises(RuntimeError, match=r"linked from another file.*Make Local"):
+        bpy.ops.counterpart.transfer()
+    override = linked.override_create()
+    bpy.context.collection.objects.link(override)
+    override.data.override_create() if override.data.override_library is None else None
+    bpy.context.collection.objects.unlink(linked)
+    c.only(other, override)
+    with pytest.raises(RuntimeError, match="Make Local"):
+        bpy.ops.counterpart.transfer()
+
+
+def test_a_linked_object_can_be_the_active_one(hero, elsewhere):
+    other = c.remeshed(hero, "Other")
+    with bpy.data.libraries.load(elsewhere, link=True) as (_, to):
+        to.objects = ["Hero"]
+    bpy.context.collection.objects.link(to.objects[0])
+    c.only(to.objects[0], other)
+    assert bpy.ops.counterpart.transfer(rig=False) == {"FINISHED"}
+
+
+def test_sentences_for_what_is_no_mesh(hero):
+    empty = bpy.data.objects.new("Crowd", None)
+    empty.instance_type = "COLLECTION"
+    bpy.context.collection.objects.link(empty)
+    c.only(hero, empty)
+    with pytest.raises(RuntimeError, match=r"'Crowd' is an instance of a collection.*Make Instances Real"):
+        bpy.ops.counterpart.match()
+    twin = bpy.data.objects.new("Twin", hero.data)
+    bpy.context.collection.objects.link(twin)
+    c.only(hero, twin)
+    with pytest.raises(RuntimeError, match="share one mesh"):
+        bpy.ops.counterpart.match()
+    flat = c.remeshed(hero, "Flat")
+    flat.scale = (1, 1, 0)
+    c.only(hero, flat)
+    with pytest.raises(RuntimeError, match="'Flat' is scaled to nothing"):
+        bpy.ops.counterpart.match()
+    c.only(hero)
+    assert not bpy.ops.counterpart.match.poll()
+
+
+def test_a_job_reports_and_passes_errors_on():
+    job = Job(lambda progress: progress(0.5) and 7)
+    job.wait()
+    assert (job.is_done, job.fraction, job.result, job.error) == (True, 0.5, 7, None)
+    failed = Job(lambda progress: 1 / 0)
+    failed.wait()
+    assert isinstance(failed.error, ZeroDivisionError)

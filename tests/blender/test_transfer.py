@@ -1,0 +1,304 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""What arrives on copies with other vertices, compared with the truth."""
+
+import math
+
+import bmesh
+import bpy
+import characters as c
+import numpy as np
+import pytest
+from mathutils import Matrix
+from mathutils.bvhtree import BVHTree
+
+BONES = [f"{head} to {tail}" for head, tail in c.LIMBS]
+ELSEWHERE = Matrix.Translation((2, 1, 0.5)) @ Matrix.Rotation(2.0, 4, "Z") @ Matrix.Rotation(0.3, 4, "X")
+
+
+def transfer(hero, *others, **options):
+    c.only(hero, *others)
+    assert bpy.ops.counterpart.transfer(**options) == {"FINISHED"}
+
+
+def worst_weight(obj, places):
+    truth = np.stack([c.true_weights(places)[bone] for bone in BONES], axis=1)
+    return np.abs(c.weights_of(obj, BONES) - truth).max()
+
+
+def worst_key(obj, places):
+    """As a share of the height."""
+    keys = obj.data.shape_keys.key_blocks
+    errors = [
+        np.linalg.norm(c.read(keys[name].data, "co", 3) - c.read(keys["Basis"].data, "co", 3) - moves, axis=1).max()
+        for name, moves in c.true_moves(places).items()
+    ]
+    return max(errors) / c.HEIGHT
+
+
+@pytest.mark.parametrize("make", [c.remeshed, c.decimated])
+def test_other_meshes_in_place(hero, make):
+    other = make(hero, "Other")
+    transfer(hero, other)
+    places = c.positions(other)
+    assert worst_weight(other, places) < 0.02
+    assert worst_key(other, places) < 0.005
+    paint = c.read(other.data.color_attributes["Paint"].data, "color", 4)
+    assert np.abs(paint - c.true_colors(places)).max() < 0.02
+    heat = c.read(other.data.attributes["heat"].data, "value", 1)[:, 0]
+    assert np.abs(heat - places[:, 2]).max() < 0.01
+    clear = np.abs(places[:, 0]) > 0.04
+    side = c.read(other.data.attributes["side"].data, "value", 1)[:, 0]
+    assert (side == (places[:, 0] > 0))[clear].all()
+
+
+def test_materials_and_smooth_shading(hero):
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    assert [slot.material.name for slot in other.material_slots] == ["Skin", "Trousers"]
+    height = c.read(other.data.polygons, "center", 3)[:, 2]
+    index = c.read(other.data.polygons, "material_index", 1)[:, 0]
+    clear = np.abs(height - 0.9) > 0.05
+    assert (index == (height < 0.9))[clear].all()
+    assert all(face.use_smooth for face in other.data.polygons)
+
+
+def test_uv_map_leads_to_the_same_place(hero):
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    off = np.linalg.norm(places_in_uv(hero, uv_middles(other)) - c.read(other.data.polygons, "center", 3), axis=1)
+    assert np.median(off) < 0.003
+    assert (off < 0.035).mean() > 0.98  # an edge: beside a seam some faces reach beyond the island
+
+
+def test_uv_seams_are_where_they_were(hero):
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    seams = seam_middles(hero)
+    found = seam_middles(other)
+    assert len(found) > 0
+    near = [np.linalg.norm(seams - place, axis=1).min() for place in found]
+    assert max(near) < 1.5 * 0.035  # edges of the copy
+    missing = [np.linalg.norm(found - place, axis=1).min() for place in seams]
+    assert max(missing) < 2 * 0.035
+
+
+def test_a_shuffled_copy_gets_everything_exactly(hero):
+    other, old = c.shuffled(hero, "Other")
+    transfer(hero, other)
+    names = [group.name for group in hero.vertex_groups]
+    assert np.abs(c.weights_of(other, names) - c.weights_of(hero, names)[old]).max() < 1.1e-4
+    for key in hero.data.shape_keys.key_blocks:
+        ours = c.read(other.data.shape_keys.key_blocks[key.name].data, "co", 3)
+        assert np.abs(ours - c.read(key.data, "co", 3)[old]).max() < 1e-5
+    assert uv_of_corners(other, old) == uv_of_corners(hero, np.arange(len(old)))
+    seams = {frozenset(old[list(e.vertices)].tolist()) for e in other.data.edges if e.use_seam}
+    assert seams == {frozenset(e.vertices) for e in hero.data.edges if e.use_seam}
+
+
+def test_the_rig_works_at_once(hero):
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    assert other.parent == hero.parent
+    pose_hand(hero.parent)
+    assert far_apart(hero, other) < 0.01 * c.HEIGHT
+
+
+def test_copies_that_stand_elsewhere_are_moved_into_the_rig(hero):
+    other = c.remeshed(hero, "Other")
+    places = c.positions(other)
+    other.matrix_world = ELSEWHERE
+    transfer(hero, other)
+    assert worst_weight(other, places) < 0.02
+    assert worst_key(other, places) < 0.005
+    bpy.context.view_layer.update()
+    assert np.abs(np.array(other.matrix_world) - np.eye(4)).max() < 0.01
+    pose_hand(hero.parent)
+    assert far_apart(hero, other) < 0.015 * c.HEIGHT
+
+
+@pytest.mark.parametrize("matrix", [Matrix.Diagonal((0.01, 0.01, 0.01, 1)), Matrix.Diagonal((-1, 1, 1, 1))])
+def test_scaled_and_mirroring_transforms(hero, matrix):
+    """What is seen counts, not what the mesh's own coordinates are."""
+    other = c.remeshed(hero, "Other")
+    places = c.positions(other)
+    other.data.transform(matrix.inverted())
+    if matrix.determinant() < 0:
+        other.data.flip_normals()
+    other.matrix_world = matrix
+    transfer(hero, other)
+    assert worst_weight(other, places) < 0.02
+    keys = other.data.shape_keys.key_blocks
+    moves = (c.read(keys["Raise"].data, "co", 3) - c.read(keys["Basis"].data, "co", 3)) @ np.array(matrix)[:3, :3].T
+    assert np.abs(moves - c.true_moves(places)["Raise"]).max() < 0.005 * c.HEIGHT
+
+
+def test_sculpted_and_shuffled(hero):
+    fuller = c.sculpted(hero, "Fuller")
+    other, old = c.shuffled(fuller, "Other")
+    transfer(hero, other)
+    assert worst_weight(other, c.positions(hero)[old]) < 0.001
+    moves = c.read(other.data.shape_keys.key_blocks["Raise"].data, "co", 3) - c.positions(other)
+    truth = c.true_moves(c.positions(hero)[old])["Raise"]
+    assert np.median(np.linalg.norm(moves - truth, axis=1)) < 0.005 * c.HEIGHT
+
+
+def test_many_at_once_and_what_they_have_stays(hero):
+    first, second = c.remeshed(hero, "First"), c.decimated(hero, "Second")
+    first.vertex_groups.new(name="mine").add([0, 1, 2], 0.5, "REPLACE")
+    first.data.uv_layers.new(name="Lightmap")
+    transfer(hero, first, second)
+    assert worst_weight(first, c.positions(first)) < 0.02
+    assert worst_weight(second, c.positions(second)) < 0.02
+    assert first.vertex_groups["mine"].weight(1) == 0.5
+    assert {layer.name for layer in first.data.uv_layers} == {"Lightmap", "UVMap"}
+
+
+def test_only_what_was_asked_for(hero):
+    other = c.remeshed(hero, "Other")
+    kinds = ("shape_keys", "uv_maps", "colors", "attributes", "shading", "materials", "rig")
+    transfer(hero, other, **dict.fromkeys(kinds, False))
+    assert len(other.vertex_groups) == len(BONES)
+    assert other.data.shape_keys is None and not other.data.uv_layers and not other.modifiers and other.parent is None
+
+
+def test_bones_for_each_vertex_are_limited(hero):
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other, max_influences=2)
+    assert max(len(vertex.groups) for vertex in other.data.vertices) == 2
+    sums = [sum(g.weight for g in vertex.groups) for vertex in other.data.vertices]
+    assert max(abs(total - 1) for total in sums) < 0.03  # as on the original, which leaves out the smallest
+
+
+def test_drivers_and_actions_of_shape_keys(hero):
+    keys = hero.data.shape_keys
+    driver = keys.key_blocks["Nose"].driver_add("value").driver
+    driver.type = "SCRIPTED"
+    variable = driver.variables.new()
+    variable.targets[0].id_type = "KEY"
+    variable.targets[0].id = keys
+    variable.targets[0].data_path = 'key_blocks["Belly"].value'
+    driver.expression = variable.name
+    keys.key_blocks["Belly"].keyframe_insert("value", frame=1)
+    keys.key_blocks["Belly"].value = 0.75
+    keys.key_blocks["Belly"].keyframe_insert("value", frame=10)
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    bpy.context.scene.frame_set(10)
+    ours = other.data.shape_keys
+    assert ours.animation_data.drivers[0].driver.variables[0].targets[0].id == ours
+    seen = other.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.shape_keys.key_blocks
+    assert math.isclose(seen["Belly"].value, 0.75, abs_tol=1e-5)
+    assert math.isclose(seen["Nose"].value, 0.75, abs_tol=1e-5)
+
+
+def test_custom_normals_lean_as_they_did(hero):
+    normals = c.read(hero.data.corner_normals, "vector", 3) + np.array((0, 0, 0.5))
+    hero.data.normals_split_custom_set(normals / np.linalg.norm(normals, axis=1, keepdims=True))
+    hero.data.update()
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    assert other.data.has_custom_normals
+    plain = c.remeshed(hero, "Plain")
+    plain.data.polygons.foreach_set("use_smooth", [True] * len(plain.data.polygons))
+    plain.data.update()
+    truth = c.read(plain.data.corner_normals, "vector", 3) + np.array((0, 0, 0.5))
+    truth /= np.linalg.norm(truth, axis=1, keepdims=True)
+    turned = (c.read(other.data.corner_normals, "vector", 3) * truth).sum(axis=1)
+    assert np.median(np.degrees(np.arccos(np.clip(turned, -1, 1)))) < 3
+    assert np.percentile(np.degrees(np.arccos(np.clip(turned, -1, 1))), 95) < 10
+
+
+def test_sharp_edges_and_creases_stay_lines(hero):
+    other = c.remeshed(hero, "Other")
+    loop = [e for e in hero.data.edges if all(abs(hero.data.vertices[v].co.z - 1.0) < 0.03 for v in e.vertices)]
+    marked = {edge.index for edge in loop}
+    hero.data.edges.foreach_set("use_edge_sharp", [edge.index in marked for edge in hero.data.edges])
+    transfer(hero, other)
+    sharp = [e for e in other.data.edges if e.use_edge_sharp]
+    assert sharp
+    height = [other.data.vertices[v].co.z for e in sharp for v in e.vertices]
+    assert max(abs(z - 1.0) for z in height) < 0.03 + 0.035
+
+
+def test_polygons_loose_vertices_and_parts(hero):
+    """An n-gon, a vertex and an edge without faces, and an eye that is a part of its own."""
+    other = c.remeshed(hero, "Other")
+    for obj in (hero, other):
+        c.only(obj)
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.select_all(action="DESELECT")
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=12, ring_count=8, radius=0.03, location=(0.05, -0.2, 1.75))
+        bpy.ops.object.mode_set(mode="OBJECT")
+    vertex = int(np.abs(c.positions(other) - (0, -0.1, 1.2)).sum(axis=1).argmin())
+    work = bmesh.new()
+    work.from_mesh(other.data)
+    work.verts.ensure_lookup_table()
+    bmesh.ops.dissolve_faces(work, faces=list(work.verts[vertex].link_faces))
+    work.to_mesh(other.data)
+    assert max(len(face.vertices) for face in other.data.polygons) > 4
+    other.data.vertices.add(2)
+    for vertex, place in zip(other.data.vertices[-2:], ((0, 0, 2.5), (0, 0.2, 2.5)), strict=True):
+        vertex.co = place
+    other.data.edges.add(1)
+    other.data.edges[-1].vertices = (len(other.data.vertices) - 2, len(other.data.vertices) - 1)
+    transfer(hero, other)
+    groups = c.weights_of(other, BONES)
+    assert np.isfinite(groups).all()
+    on_body = c.positions(other)[:, 2] < 1.6
+    truth = np.stack([c.true_weights(c.positions(other))[bone] for bone in BONES], axis=1)
+    assert np.abs(groups - truth)[on_body].max() < 0.03
+
+
+def uv_middles(obj):
+    uv = c.read(obj.data.uv_layers["UVMap"].uv, "vector", 2)
+    return np.array([uv[list(face.loop_indices)].mean(axis=0) for face in obj.data.polygons])
+
+
+def places_in_uv(obj, coordinates):
+    """The points of the surface that have these texture coordinates."""
+    obj.data.calc_loop_triangles()
+    uv = c.read(obj.data.uv_layers["UVMap"].uv, "vector", 2)
+    loops = np.array([triangle.loops for triangle in obj.data.loop_triangles])
+    flat = np.column_stack([uv, np.zeros(len(uv))])
+    tree = BVHTree.FromPolygons(flat.tolist(), loops.tolist())
+    found = [tree.find_nearest((*point, 0)) for point in coordinates]
+    corners = np.array([loop.vertex_index for loop in obj.data.loops])
+    places = c.positions(obj)[corners[loops]]
+    result = []
+    for place, _, triangle, _ in found:
+        a, b, d = flat[loops[triangle]][:, :2]
+        s, t = np.linalg.lstsq(np.stack([b - a, d - a], axis=1), np.array(place)[:2] - a, rcond=None)[0]
+        result.append(np.array([1 - s - t, s, t]) @ places[triangle])
+    return np.array(result)
+
+
+def uv_of_corners(obj, old):
+    """The coordinates of each face's corners, by vertices of the original."""
+    uv = c.read(obj.data.uv_layers["UVMap"].uv, "vector", 2)
+    return {
+        frozenset((int(old[obj.data.loops[loop].vertex_index]), *uv[loop].tolist()) for loop in face.loop_indices)
+        for face in obj.data.polygons
+    }
+
+
+def seam_middles(obj):
+    points = c.positions(obj)
+    return np.array([points[list(edge.vertices)].mean(axis=0) for edge in obj.data.edges if edge.use_seam])
+
+
+def pose_hand(armature):
+    bone = armature.pose.bones["shoulder.L to elbow.L"]
+    bone.rotation_mode = "XYZ"
+    bone.rotation_euler = (0.9, 0, 0.4)
+    bpy.context.view_layer.update()
+
+
+def far_apart(first, second):
+    """The largest distance from a vertex of the second to the first, as they are seen."""
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    tree = BVHTree.FromObject(first, depsgraph)
+    inverse = first.matrix_world.inverted()
+    seen = second.evaluated_get(depsgraph)
+    mesh = seen.to_mesh()
+    return max(tree.find_nearest(inverse @ second.matrix_world @ vertex.co)[3] for vertex in mesh.vertices)
