@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# recipes.sh PROGRAM RECIPES: every command of docs/recipes.md ends well on the files that it speaks of, and writes what
+# recipes.sh PROGRAM RECIPES: every command of docs/howto/recipes.md ends well on the files that it speaks of, and writes what
 # it is to write.
 . "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 recipes=$2
