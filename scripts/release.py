@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: MIT
 """Helps with a release; RELEASE.md says when.
 
-    release.py version            prints the version, from CMakeLists.txt
-    release.py check TAG          tag, version and changelog agree, or it says what does not
-    release.py notes TAG          prints the changelog's section of this version
-    release.py packaging ARCHIVE  fills version and hashes of the tag's archive into packaging/, in build/packaging
+release.py version            prints the version, from CMakeLists.txt
+release.py check TAG          tag, version and changelog agree, or it says what does not
+release.py notes TAG          prints the changelog's section of this version
+release.py packaging ARCHIVE  fills version and hashes of the tag's archive into packaging/, in build/packaging
 """
 
 import hashlib
