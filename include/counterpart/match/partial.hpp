@@ -69,8 +69,8 @@ struct PartialResult {
     std::vector<PartialAlternative> alternatives;  ///< best first
     /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.
     std::vector<Index> source_touching, target_touching;
-    std::vector<std::string> warnings;  ///< sentences: what may be wrong, and what to do
-    std::vector<StageTime> stages;      ///< seconds of each stage, named as in docs/methods/partial.md
+    std::vector<Message> messages;  ///< what was noticed and what may be wrong
+    std::vector<StageTime> stages;  ///< seconds of each stage, named as in docs/methods/partial.md
 };
 
 /// Automatic dense correspondence where a mesh shows only a part of the other, has holes, or is fused with

@@ -117,7 +117,7 @@ struct SpectralResult {
     /// The map reverses the orientation: the target is read as a mirror image.
     bool mirrored = false;
     std::vector<SpectralAlternative> alternatives;  ///< best first
-    std::vector<std::string> warnings;              ///< sentences: what may be wrong, and what to do
+    std::vector<Message> messages;                  ///< what was noticed and what may be wrong
     std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/methods/spectral.md
 };
 
