@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""performance.py PROGRAM RESULTS.jsonl PICTURE.svg [--repeats N] [--threads N] [--largest N]: docs/performance.md.
+"""performance.py PROGRAM RESULTS.jsonl PICTURE.svg [--repeats N] [--threads N] [--largest N]: docs/results.md.
 
 Runs PROGRAM (build/release/benchmarks/spectral) on the built-in figure, subdivided 0 to N times (4: 1.16 million
 vertices), unless RESULTS.jsonl is there; prints the table in Markdown and the exponents p of seconds ~ V^p and

@@ -11,7 +11,13 @@ CODE = re.compile(r"(```.*?```|`[^`\n]*`)", re.DOTALL)
 
 
 def equations(text: str) -> str:
-    return EQUATION.sub(lambda m: convert(m[1] or m[2], display="block" if m[1] else "inline"), text)
+    """In a box of its own, a long equation can be scrolled; in a span, one at the start of a line begins no block."""
+    return EQUATION.sub(
+        lambda m: (
+            f'<div class="equation">{convert(m[1], display="block")}</div>' if m[1] else f"<span>{convert(m[2])}</span>"
+        ),
+        text,
+    )
 
 
 def on_page_markdown(markdown: str, **_: object) -> str:

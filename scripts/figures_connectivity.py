@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Makes the pictures of docs/connectivity.md again: figures_connectivity.py [PROGRAM] [FOLDER].
+"""Makes the pictures of docs/methods/polygons_and_solids.md again: figures_connectivity.py [PROGRAM] [FOLDER].
 
 Each shows a source colored by place and a target that has the colors of its partners, as the program matched them."""
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Makes the pictures of docs/partial.md again, from the generated figure: scripts/figures_partial.sh [COUNTERPART].
+# Makes the pictures of docs/methods/partial.md again, from the generated figure: scripts/figures_partial.sh [COUNTERPART].
 # A quarter of a minute.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Makes the ten pairs of docs/spectral_pairs.md again, from meshes of Debian's package libcgal-demo and the generated
+# Makes the ten pairs of docs/gallery.md again, from meshes of Debian's package libcgal-demo and the generated
 # figure, and prints the errors: scripts/figures_spectral.sh [PATH_TO_COUNTERPART]. A few minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -3,10 +3,12 @@
 # SPDX-License-Identifier: MIT
 #
 # clang-tidy on the public headers, and on the library's sources changed since a commit (default: the one before the
-# last) or, with --all, on all of them. A source takes about 7 s.
+# last) or, with --all, on all of them. A source takes about 7 s. The workflows too, where actionlint is installed
+# (go install github.com/rhysd/actionlint/cmd/actionlint@latest).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 since=${1:-HEAD~1}
+if command -v actionlint > /dev/null; then actionlint; fi
 if [ "$since" = --all ]; then
   sources=$(find src -name '*.cpp')
 else

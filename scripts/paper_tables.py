@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Prints the tables "All pairs" of docs/paper.md: paper_tables.py FOLDER [PATH_TO_COUNTERPART].
+"""Prints the tables "All pairs" of docs/methods/frontiers_paper.md: paper_tables.py FOLDER [PATH_TO_COUNTERPART].
 
 FOLDER has one folder for each pair of frames, named like jump_0001_0065 or, where the target is also moved,
 jump_0002_0003_moved: source.obj, target.obj (shuffled) and truth.txt, the target vertex of each source vertex.

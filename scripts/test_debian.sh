@@ -50,10 +50,10 @@ test_python() {
     /venv/bin/pip install --quiet --no-compile $1
     COUNTERPART=/venv/bin/counterpart /venv/bin/python -m pytest -q python/tests"
 }
-test_wheel() { test_python "--no-index --find-links dist counterpart"; }
+test_wheel() { test_python "--no-index --find-links dist counterpart3d"; }
 test_sdist() {
   run "scripts/setup.sh packages-python.txt"
-  test_python "dist/counterpart-*.tar.gz"
+  test_python "dist/counterpart3d-*.tar.gz"
 }
 
 test_package() {

@@ -10,7 +10,7 @@ namespace counterpart::cli {
 
 /// "about 17 s and 1.3 GB of memory are to be expected from 'spectral'" for meshes of so many vertices each;
 /// nothing below ten seconds and for methods that take no time. On two threads of a laptop-class machine:
-/// docs/performance.md.
+/// docs/results.md.
 std::string expected_cost(const std::string& method, double n_vertices);
 
 /// Says that before a method runs. `condition`: what it depends on, as the beginning of the sentence.

@@ -333,7 +333,7 @@ def match_nearest(
 def match_assignment(
     source: MeshLike, target: MeshLike, *, max_vertices: int = 5000, progress: ProgressLike = None
 ) -> tuple[IntArray, float]:
-    """The one-to-one map of least total squared distance after the means of the vertices are aligned, and that total.
+    """The one-to-one map of least total squared distance, after the means are aligned, and that total.
 
     Parameters
     ----------

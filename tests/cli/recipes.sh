@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# recipes.sh PROGRAM RECIPES: every command of docs/recipes.md ends well on the files that it speaks of, and writes what
+# recipes.sh PROGRAM RECIPES: every command of docs/howto/recipes.md ends well on the files that it speaks of, and writes what
 # it is to write.
 . "$(dirname "${BASH_SOURCE[0]}")/checks.sh"
 recipes=$2
@@ -21,7 +21,7 @@ open("edited.obj", "w").write("\n".join(lines) + "\n")
 n = int(next(line for line in open("scan.ply", "rb") if line.startswith(b"element vertex")).split()[2])
 header = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d,), }" % n
 header += " " * (63 - (10 + len(header)) % 64) + "\n"
-open("labels.npy", "wb").write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode()
+open("ids.npy", "wb").write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode()
                                + struct.pack("<%dd" % n, *(i % 3 for i in range(n))))
 END
 

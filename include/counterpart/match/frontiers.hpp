@@ -66,7 +66,7 @@ struct FrontiersResult {
 /// Correspondence by breadth-first search frontiers: Y. Sahillioglu and Y. Yemez, "3D Correspondence by
 /// Breadth-First Search Frontiers". Both meshes must have the same connectivity (in any vertex order).
 /// Frontiers around corresponding seed vertices contain corresponding vertices, so they are aligned and
-/// paired level by level; by default the pairs of one level guide the next (see docs/frontiers.md).
+/// paired level by level; by default the pairs of one level guide the next (see docs/methods/frontiers.md).
 /// Components are matched one by one; those of the same connectivity are told apart by position. Throws
 /// InvalidInput for invalid meshes or options, and if the connectivity differs, naming the first difference
 /// found.

@@ -70,14 +70,14 @@ struct PartialResult {
     /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.
     std::vector<Index> source_touching, target_touching;
     std::vector<Message> messages;  ///< what was noticed and what may be wrong
-    std::vector<StageTime> stages;  ///< seconds of each stage, named as in docs/partial.md
+    std::vector<StageTime> stages;  ///< seconds of each stage, named as in docs/methods/partial.md
 };
 
 /// Automatic dense correspondence where a mesh shows only a part of the other, has holes, or is fused with
 /// itself. Samples are matched by local shape (SHOT) and by distances along the surfaces, of which cuts leave
 /// only bounds; the part is then bent onto the other mesh. Two whole surfaces are matched as by
 /// match_spectral. Common connectivity is not used. Independent of position, rotation and numbering, and of
-/// scale unless same_scale says that it is known. docs/partial.md describes the method.
+/// scale unless same_scale says that it is known. docs/methods/partial.md describes the method.
 ///
 /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 50 distinct vertices, and
 /// for options out of range; Canceled. About O(V^1.2) time, O(V) memory with a factor of 1000.

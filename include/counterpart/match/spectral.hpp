@@ -118,7 +118,7 @@ struct SpectralResult {
     bool mirrored = false;
     std::vector<SpectralAlternative> alternatives;  ///< best first
     std::vector<Message> messages;                  ///< what was noticed and what may be wrong
-    std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/spectral.md
+    std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/methods/spectral.md
 };
 
 /// Automatic dense correspondence of two surfaces of different connectivity: two poses of one body, two
@@ -126,7 +126,7 @@ struct SpectralResult {
 /// through the eigenfunctions of the Laplace-Beltrami operator (bijective ZoomOut: Ren et al. 2020, Melzi et
 /// al. 2019) and race each other on coarse copies, bent onto each other (Sorkine and Alexa 2007); one score,
 /// of relief, normals and the way there and back, tells which is refined on all vertices. Independent of
-/// pose, position, scale and numbering. docs/spectral.md describes the method.
+/// pose, position, scale and numbering. docs/methods/spectral.md describes the method.
 ///
 /// With progress the work runs on a thread of its own while the calling thread reports; cancelling takes
 /// effect within about half a second at 100 000 vertices. Throws InvalidInput as SpectralShape, and for

@@ -3,7 +3,7 @@
 //
 // The frontier method in sequence: level k is matched with the help of the levels nearer to the source. Loops
 // (connected components of a frontier) are paired first, then the vertices of each pair of loops: those that
-// connectivity tells apart at once, the rest by alignment. See docs/frontiers.md.
+// connectivity tells apart at once, the rest by alignment. See docs/methods/frontiers.md.
 #include "base/parallel.hpp"
 #include "match/frontiers/loop.hpp"
 #include "match/frontiers/side.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every constant of the method, in the order in which its steps run. Lengths are in units of sqrt(area of the
-// full shape). docs/partial.md says what each step is worth.
+// full shape). docs/methods/partial.md says what each step is worth.
 #pragma once
 
 #include "match/spectral/tuning.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every constant of the method, stage by stage in the order in which the stages run. Lengths are geodesic, at
-// unit surface area; times are of heat diffusion, squared lengths. docs/spectral.md describes
+// unit surface area; times are of heat diffusion, squared lengths. docs/methods/spectral.md describes
 // the stages; a constant changes only where benchmarks/compare.py shows an interval without 0.
 #pragma once
 
