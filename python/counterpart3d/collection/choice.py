@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Stage two: match some of the pairs, and choose their maps for all at once."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+
+import numpy as np
+
+from .. import InvalidInput
+from .._arrays import IntArray
+from . import chirality, cycles, graph
+from .graph import Edge
+from .pairs import match_pair, pair_key
+from .runner import Progress, Runner
+from .settings import Settings
+from .specimens import Specimen
+from .store import Store
+from .tree import Tree, composed, spanning_tree
+
+STRANGE = 0.5  # corruption: maps that lead nowhere
+DOUBTFUL = 0.4  # of the usual confidence
+
+
+@dataclasses.dataclass(frozen=True)
+class Network:
+    """The chosen maps between the specimens.
+
+    Attributes
+    ----------
+    families : dict of Edge to Family
+        Of all pairs that were matched.
+    rows : dict of Edge to ndarray
+        Where each map of a family stands in the result `pairs`.
+    choice : Choice
+        Of those that are not held out.
+    held_out : list of Edge
+    tree : Tree
+    mirrored : ndarray of bool, (n,)
+    strangers : dict of int to str
+        Specimens that do not belong, and why.
+    failures : dict of Edge to str
+    """
+
+    families: Mapping[Edge, cycles.Family]
+    rows: Mapping[Edge, IntArray]
+    choice: cycles.Choice
+    held_out: list[Edge]
+    tree: Tree
+    mirrored: np.ndarray
+    strangers: dict[int, str]
+    failures: dict[Edge, str]
+
+    def step(self, i: int, j: int) -> IntArray:
+        """The chosen map from a specimen to a neighbor."""
+        edge = (min(i, j), max(i, j))
+        family, label = self.families[edge], self.choice.label[edge]
+        image: IntArray = (family.forward if i < j else family.backward)[label]
+        return image
+
+    def from_root(self, shape: int) -> IntArray:
+        """The map from the root's vertices, composed along the tree."""
+        if shape == self.tree.root:
+            edge, family = next((edge, family) for edge, family in self.families.items() if shape in edge)
+            rows = family.forward if edge[0] == shape else family.backward
+            return np.arange(rows.shape[1], dtype=np.int32)
+        return composed(self.tree, shape, self.step)
+
+
+def network_of(
+    runner: Runner, store: Store, specimens: list[Specimen], settings: Settings, progress: Progress, root: int | None
+) -> Network:
+    """Match and choose.
+
+    Raises
+    ------
+    InvalidInput
+        No pair could be matched.
+    """
+    edges = pairs_to_match(store, specimens, settings, root)
+    mirror = settings.mirror == "auto"
+    progress.say(f"{len(edges)} pairs of {len(specimens)} shapes are matched")
+    failures = _match(runner, store, specimens, edges, mirror, progress)
+    edges = [edge for edge in edges if edge not in failures]
+    if not edges:
+        raise InvalidInput(f"no pair could be matched; the first: {next(iter(failures.values()))}")
+    loaded = {e: store.get("pairs", pair_key(specimens[e[0]].key, specimens[e[1]].key, mirror)) for e in edges}
+    mirrored = np.zeros(len(specimens), bool)
+    if mirror:
+        evidence = [(*e, _best(found, False) - _best(found, True)) for e, found in loaded.items()]
+        mirrored = chirality.mirrored_shapes(len(specimens), evidence)[0]
+        if root is not None and mirrored[root]:
+            mirrored = ~mirrored  # the template is as it is
+    families, numbers = {}, {}
+    for (i, j), found in loaded.items():
+        rows = numbers[i, j] = np.flatnonzero(found["mirrored"] == (mirrored[i] != mirrored[j])).astype(np.int32)
+        families[i, j] = cycles.Family(found["forward"][rows], found["backward"][rows], found["score"][rows])
+    kept_out = graph.held_out(edges, len(specimens), settings.seed) if len(specimens) > 4 else []
+    shapes = [specimen.points(store) for specimen in specimens]
+    choice = cycles.choose({e: f for e, f in families.items() if e not in kept_out}, shapes)
+    confidence = {edge: float(loaded[edge]["confidence"][rows].max()) for edge, rows in numbers.items() if len(rows)}
+    strangers = strangers_among(len(specimens), choice, confidence)
+    allowed = np.array([i not in strangers and not mirrored[i] for i in range(len(specimens))])
+    tree = spanning_tree(len(specimens), choice.corruption, allowed, root)
+    return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures)
+
+
+def pairs_to_match(store: Store, specimens: list[Specimen], settings: Settings, root: int | None) -> list[Edge]:
+    """The pairs, as the settings want them."""
+    if settings.pairs == "all":
+        return graph.all_pairs(len(specimens))
+    if settings.pairs == "sequence":
+        edges = graph.pairs_in_time(len(specimens) - (root is not None))
+        return edges if root is None else sorted({*edges, *((i, root) for i in range(0, root, 8))})
+    descriptors = np.stack([specimen.shape(store)["descriptor"] for specimen in specimens])
+    center = graph.medoid(descriptors) if root is None else root
+    return graph.sparse_pairs(descriptors, center, settings.seed)
+
+
+def strangers_among(n: int, choice: cycles.Choice, confidence: Mapping[Edge, float]) -> dict[int, str]:
+    """Specimens all of whose maps disagree with those around them, or are far less confident than is usual here."""
+    if n < 4:
+        return {}
+    least, most = np.full(n, np.inf), np.zeros(n)
+    for edge, corruption in choice.corruption.items():
+        least[list(edge)] = np.minimum(least[list(edge)], corruption)
+    for edge, value in confidence.items():
+        most[list(edge)] = np.maximum(most[list(edge)], value)
+    found = {
+        int(i): "no map to or from it agrees with the maps between the others" for i in np.flatnonzero(least > STRANGE)
+    }
+    doubtful = np.flatnonzero(most < DOUBTFUL * np.median(most))
+    found |= {
+        int(i): f"its best map has a confidence of {most[i]:.2f}, where {np.median(most):.2f} is usual"
+        for i in doubtful
+    }
+    return {} if 2 * len(found) >= n else {i: f"does not belong: {why}" for i, why in found.items()}
+
+
+def _best(found: Mapping[str, np.ndarray], mirrored: bool) -> float:
+    return float(found["score"][found["mirrored"] == mirrored].max())
+
+
+def _match(
+    runner: Runner, store: Store, specimens: list[Specimen], edges: list[Edge], mirror: bool, progress: Progress
+) -> dict[Edge, str]:
+    failures: dict[Edge, str] = {}
+    items = [(store, specimens[i].key, specimens[j].key, mirror) for i, j in edges]
+    progress.start()
+    for done, (k, message) in enumerate(runner.outcomes(match_pair, items)):
+        if message is not None:
+            failures[edges[k]] = message
+            names = " and ".join(specimens[i].name for i in edges[k])
+            progress.say(f"{names} could not be matched: {message}")
+        progress.step("pairs", done + 1, len(items))
+    return failures
