@@ -98,13 +98,19 @@ class Chooser {
                 continue;
             }
             ComponentPair pair{kind, &kind->source[0], &kind->target[0], {}};
-            const Alignment fitted = fit_alignment(anchors_, reversed_);
-            choose_automorphism(pair, anchors_.empty() ? start : &fitted);
-            const auto points = geometry_.points(pair, exact_tuning.anchor_triangles);
+            // What sits in something that is bent moves with what is around it.
+            const Alignment around =
+                order(*kind) > 1 && !anchors_.empty() ? fit_near(center_of(pair)) : Alignment{};
+            choose_automorphism(pair, anchors_.empty() ? start : &around);
+            const auto points = geometry_.points(pair, exact_tuning.max_anchors);
             anchors_.insert(anchors_.end(), points.begin(), points.end());
             choice_.pairs.push_back(std::move(pair));
         }
         return std::move(choice_);
+    }
+
+    Eigen::RowVector3d center_of(const ComponentPair& pair) const {
+        return spread_of(geometry_.points(pair, exact_tuning.anchor_triangles), &PointPair::source).center;
     }
 
     void choose_automorphism(ComponentPair& pair, const Alignment* alignment) {
@@ -166,10 +172,15 @@ class Chooser {
             if (!taken[j]) targets_left.push_back(targets[j]);
     }
 
+    // By the anchors nearest to it.
     Alignment fit_near(const Eigen::RowVector3d& point) const {
-        std::vector<PointPair> some;
+        std::vector<std::pair<double, std::size_t>> order;
         for (const std::size_t i : evenly_spread(anchors_.size(), exact_tuning.max_anchors))
-            some.push_back(anchors_[i]);
+            order.emplace_back((anchors_[i].source - point).squaredNorm(), i);
+        const std::size_t n = std::min(order.size(), exact_tuning.near_anchors);
+        std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(n), order.end());
+        std::vector<PointPair> some;
+        for (std::size_t k = 0; k < n; ++k) some.push_back(anchors_[order[k].second]);
         return fit_alignment_near(point, std::move(some), reversed_);
     }
 

@@ -99,15 +99,7 @@ class Ranking {
 
     std::vector<Images> run(isomorphism::SimultaneousTraversal& traversal, std::size_t count) {
         const std::vector<Dart> roots = compare_all();
-        rank([&](Candidate& candidate) {
-            std::vector<PointPair> points;
-            for (std::size_t s = 0; s < sample_.size(); ++s)
-                geometry_.add_points(pair_.on_source(sample_[s]),
-                                     on_target(images_[candidate.element * sample_.size() + s]), points);
-            measure(points, candidate.fit);
-        });
-        // A sample may miss where they differ.
-        candidates_.resize(std::min(candidates_.size(), std::max(count, exact_tuning.n_finalists)));
+        keep_finalists(std::max(count, exact_tuning.n_finalists));
         std::vector<Images> full(candidates_.size());
         for (std::size_t i = 0; i < full.size(); ++i) {
             pair_.automorphism =
@@ -166,6 +158,32 @@ class Ranking {
         fit.rigid_error =
             squared_error(alignment_ != nullptr ? *alignment_ : fit_alignment(points, reversed_), points);
         fit.offset = squared_error({}, points);
+    }
+
+    // A sample of a component may miss where automorphisms differ: of one that is alike in itself, the
+    // lengths of some edges tell nothing, place does.
+    void keep_finalists(std::size_t count) {
+        std::stable_sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+            return a.fit.edge_length_error < b.fit.edge_length_error;
+        });
+        if (candidates_.size() <= count) return;
+        const double limit =
+            (1 + exact_tuning.nearly) * candidates_.front().fit.edge_length_error + geometry_.tolerance();
+        const auto by_lengths = candidates_.begin() + static_cast<std::ptrdiff_t>(count / 2);
+        const auto alike = std::find_if(by_lengths, candidates_.end(), [&](const Candidate& candidate) {
+            return candidate.fit.edge_length_error > limit;
+        });
+        std::for_each(by_lengths, alike, [&](Candidate& candidate) {
+            std::vector<PointPair> points;
+            for (std::size_t s = 0; s < sample_.size(); ++s)
+                geometry_.add_points(pair_.on_source(sample_[s]),
+                                     on_target(images_[candidate.element * sample_.size() + s]), points);
+            measure(points, candidate.fit);
+        });
+        std::stable_sort(by_lengths, alike, [](const Candidate& a, const Candidate& b) {
+            return a.fit.rigid_error < b.fit.rigid_error;
+        });
+        candidates_.resize(count);
     }
 
     // Sorts; returns the end of those that tie with the best.

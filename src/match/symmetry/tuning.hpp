@@ -21,11 +21,15 @@ struct ExactTuning {
     /// Triangles on which every automorphism is compared, and how many darts all of them may have together.
     std::size_t min_sample = 8, max_sample = 256, max_sampled_darts = std::size_t{1} << 24U;
     /// Automorphisms that are compared on the whole component, or this many of its triangles.
+    /// Half of them by lengths, the others by place of those whose lengths, of the sample, are nearly as
+    /// good.
+    double nearly = 0.5;
     std::size_t n_finalists = 32, max_final_triangles = 100'000;
     /// Triangles of a component that fix where it lies.
     std::size_t anchor_triangles = 200;
-    /// Pairs of points that the alignment near a component is fitted to.
-    std::size_t max_anchors = 1024;
+    /// Pairs of points that are known, and how many of them, the nearest, the alignment near a component is
+    /// fitted to: of 1024 over a whole head too few lie around an eye.
+    std::size_t max_anchors = 8192, near_anchors = 192;
     /// Components of one class that are assigned optimally, O(n^3); beyond, the closest first.
     std::size_t max_optimal = 400;
     /// Partners that the closest-first assignment looks at.

@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Teeth and claws that connectivity does not tell apart stay with their limb.
+#include "support/edits.hpp"
 #include "support/ogre.hpp"
 
 #include <counterpart/match/exact.hpp>
+#include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
+#include <array>
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +34,62 @@ TEST(AlikeParts, OfATwistedOgreStayWithTheirLimb) {
             wrong +=
                 result.target_from_source[v] != other.shuffled_from_original[static_cast<std::size_t>(v)];
         EXPECT_LE(wrong, ogre.n_vertices() / 200) << degrees << " degrees";
+    }
+}
+
+// A ball of n x m quads with poles: alike when it is turned by a segment, or upside down.
+TriangleMesh eye(Index n_segments, Index n_rings, const Eigen::RowVector3d& center, double radius) {
+    TriangleMesh mesh;
+    mesh.vertices.resize(n_segments * (n_rings - 1) + 2, 3);
+    const double pi = std::numbers::pi;
+    for (Index r = 1; r < n_rings; ++r)
+        for (Index s = 0; s < n_segments; ++s) {
+            const double polar = pi * r / n_rings, angle = 2 * pi * s / n_segments;
+            mesh.vertices.row((r - 1) * n_segments + s) << std::sin(polar) * std::cos(angle),
+                std::sin(polar) * std::sin(angle), std::cos(polar);
+        }
+    const Index north = n_segments * (n_rings - 1), south = north + 1;
+    mesh.vertices.row(north) << 0, 0, 1;
+    mesh.vertices.row(south) << 0, 0, -1;
+    mesh.vertices = (radius * mesh.vertices).rowwise() + center;
+    std::vector<std::array<Index, 3>> faces;
+    for (Index s = 0; s < n_segments; ++s) {
+        const Index next = (s + 1) % n_segments, last = (n_rings - 2) * n_segments;
+        faces.push_back({north, s, next});
+        faces.push_back({south, last + next, last + s});
+        for (Index r = 0; r + 2 < n_rings; ++r) {
+            const Index a = r * n_segments + s, b = r * n_segments + next;
+            faces.push_back({a, a + n_segments, b + n_segments});
+            faces.push_back({a, b + n_segments, b});
+        }
+    }
+    mesh.triangles.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t t = 0; t < faces.size(); ++t)
+        for (int c = 0; c < 3; ++c)
+            mesh.triangles(static_cast<Index>(t), c) = faces[t][static_cast<std::size_t>(c)];
+    return mesh;
+}
+
+// Eyes in a head that is bent: they do not turn in it.
+TEST(AlikeParts, OfABentHeadMoveWithWhatTheySitIn) {
+    const TriangleMesh skull = test::with_flipped_edges(make_icosphere(4), 100, 7).mesh;
+    const TriangleMesh head = test::joined(test::joined(skull, eye(32, 16, {0.35, 0.3, 0.85}, 0.2)),
+                                           eye(32, 16, {-0.35, 0.3, 0.85}, 0.2));
+    for (const double bend : {0.02, 0.05, 0.15}) {
+        TriangleMesh bent = head;
+        for (Index v = 0; v < head.n_vertices(); ++v) {
+            const Eigen::RowVector3d x = head.vertices.row(v);
+            bent.vertices.row(v) +=
+                2 * bend * Eigen::RowVector3d(std::sin(2 * x[1]), std::sin(2 * x[2]), std::sin(2 * x[0]));
+        }
+        const ShuffleResult other = shuffle(move_at_random(bent, 3), 5);
+        const ExactResult result = match_exact(head, other.mesh);
+        ASSERT_TRUE(result.identical);
+        Index wrong = 0;
+        for (Index v = 0; v < head.n_vertices(); ++v)
+            wrong +=
+                result.target_from_source[v] != other.shuffled_from_original[static_cast<std::size_t>(v)];
+        EXPECT_EQ(wrong, 0) << bend;
     }
 }
 
