@@ -71,12 +71,13 @@ ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions&
         source.n_triangles() == target.n_triangles() ? place::find_same_places(source, target) : std::nullopt;
     if (!places) return by_connectivity(source, target, false, options);
     // Few other triangles were edited; many, or those inside polygons, are cut otherwise.
+    constexpr double most_same = 0.9;
     const bool have_polygons = source.polygons != nullptr || target.polygons != nullptr;
     const bool is_same = places->n_same_faces == source.n_triangles() ||
                          (have_polygons ? place::keeps_polygons(source, target, places->target_from_source)
-                                        : 2 * places->n_same_faces < source.n_triangles());
+                                        : places->n_same_faces < most_same * source.n_triangles());
     try {
-        ExactResult result = by_connectivity(source, target, true, options);
+        ExactResult result = by_connectivity(source, target, is_same, options);
         if (!is_same || (result.identical && result.target_from_source == places->target_from_source))
             return result;
     } catch (const NumericalError&) {  // a non-manifold mesh that fits in too many ways

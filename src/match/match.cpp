@@ -162,7 +162,8 @@ class Matching {
             result_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
         result_.target_from_source = result_.place->target_from_source;
         result_.confidence = result_.place->confidence;
-        add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
+        if (options_.method == MatchMethod::place)  // else the reason says it
+            add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
         watch_.lap("place");
     }
 

@@ -41,7 +41,8 @@ WalkEnd Walk::run(Dart f, Dart g, std::size_t max_steps) {
     pair(a_.map.origin(next(f)), b_.map.origin(next(g)));
     open(f, g);
     open(a_.map.across(f), b_.map.across(g));
-    const std::size_t max_tries = 2 * max_steps + 16;
+    // Of a few steps from very many starts, or of many from few.
+    const std::size_t max_tries = max_steps < 100 ? 2 * max_steps + 16 : 8 * max_steps;
     for (std::size_t n_tries = 0; n_tries < max_tries && steps_.size() <= max_steps; ++n_tries) {
         const bool is_complete =
             std::all_of(waiting_.begin(), waiting_.end(), [](const auto& items) { return items.empty(); });

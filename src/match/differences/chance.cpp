@@ -3,7 +3,9 @@
 #include "match/differences/chance.hpp"
 
 #include "base/random.hpp"
+#include "match/differences/triangle_pairs.hpp"
 #include "match/differences/tuning.hpp"
+#include "mesh/edge_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +73,8 @@ double information_in(const std::vector<DartPair>& region, const PairSide& mesh,
 
 }  // namespace
 
-std::vector<double> information(const std::vector<Index>& valence) {
+std::vector<double> information(MeshView mesh) {
+    const std::vector<Index> valence = valences(mesh);
     std::map<Index, double> count;
     for (const Index k : valence) count[k] += 1;
     double most = 0;
@@ -79,6 +82,8 @@ std::vector<double> information(const std::vector<Index>& valence) {
     std::vector<double> bits;
     for (const Index k : valence)
         bits.push_back(count[k] == most ? 0 : std::log2(static_cast<double>(valence.size()) / count[k]));
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(mesh)))
+        bits[to_size(v)] = bits[to_size(w)] = 0;
     return bits;
 }
 
@@ -87,7 +92,9 @@ double information_by_chance(const PairSide& mesh) {
     std::iota(all.begin(), all.end(), 0);
     std::vector<Index> valence(to_size(mesh.map.n_vertices()), 0);
     for (const Index v : mesh.map.corner) ++valence[to_size(v)];
-    const std::vector<double> bits = information(valence);
+    const std::vector<double> of_input = information(mesh.mesh);
+    std::vector<double> bits;
+    for (const Index v : mesh.map.input_vertex) bits.push_back(of_input[to_size(v)]);
     Growth growth(mesh, mesh);
     double most = 0;
     std::size_t n_grown = 0;
@@ -114,9 +121,7 @@ Chance chance_among(const std::vector<Index>& triangles, const PairSide& mesh) {
     }
     if (deviations.empty()) return {};
     std::sort(deviations.begin(), deviations.end());
-    const double alike = static_cast<double>(deviations.size()) / static_cast<double>(pairs.size()),
-                 quantile = std::min(0.1, 0.01 / alike);
-    return {alike, deviations[static_cast<std::size_t>(quantile * static_cast<double>(deviations.size()))],
+    return {static_cast<double>(deviations.size()) / static_cast<double>(pairs.size()),
             deviations[deviations.size() / 10]};
 }
 

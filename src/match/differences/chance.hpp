@@ -13,21 +13,18 @@ namespace counterpart::differences {
 /// everywhere.
 struct Chance {
     double alike = 0;      ///< share of the pairs whose surroundings agree in connectivity
-    double deviation = 0;  ///< of lengths there (see length_deviation), the least that chance comes upon
-    double typical = 0;    ///< a tenth of the pairs that are alike deviate less
+    double deviation = 0;  ///< of lengths there (see length_deviation): a tenth of those pairs deviate less
 };
 
 /// The most that the irregular vertices of a region say (see `information`) which region growing finds by
 /// chance, where a mesh is laid on itself; infinite where such a region has no end. O(trials) likewise.
 double information_by_chance(const PairSide& mesh);
 
-/// -log2 of the frequency of each vertex's valence; the commonest says nothing, because growing goes on for
-/// as long as it meets it.
-std::vector<double> information(const std::vector<Index>& valence);
+/// -log2 of the frequency of each vertex's valence. The commonest says nothing, because growing goes on for
+/// as long as it meets it; nor do vertices of a boundary, which lies along a boundary wherever it begins to.
+std::vector<double> information(MeshView mesh);
 
-/// Of the triangles with these numbers in `mesh.map`. The more pairs agree, the more ways a match could
-/// choose from, and the lower the quantile of deviations that counts as the least: a tenth where few are
-/// alike, a hundredth where all are. O(trials) beside the sorting of darts.
+/// Of the triangles with these numbers in `mesh.map`. O(trials) beside the sorting of darts.
 Chance chance_among(const std::vector<Index>& triangles, const PairSide& mesh);
 
 /// How unlike edges are in length: the median of how far the logarithms of their ratios are from the median

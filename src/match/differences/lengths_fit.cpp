@@ -28,7 +28,7 @@ bool lengths_fit(const VertexMap& target_from_source, MeshView source, MeshView 
     std::vector<Index> all(isomorphism::to_size(map.n_triangles()));
     std::iota(all.begin(), all.end(), 0);
     const Chance chance = chance_among(all, PairSide(source, map));
-    return chance.alike <= tuning.regular || deviation < tuning.chance_limit * chance.typical;
+    return chance.alike <= tuning.regular || deviation < tuning.chance_limit * chance.deviation;
 }
 
 }  // namespace counterpart::differences

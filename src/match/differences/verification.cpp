@@ -32,7 +32,7 @@ class Verifier {
           local_(to_size(source.mesh.n_triangles()), -1),
           source_valence_(valences(source_)),
           target_valence_(valences(target_)),
-          bits_(information(target_valence_)),
+          bits_(information(target_)),
           matched_(to_size(source_.n_vertices()), 0),
           n_regions_(matched_),
           kept_(map.size(), VertexMap::unmatched) {

@@ -150,8 +150,12 @@ class Readings {
             score_ = search(as_it_is_.emplace(source_, target_, priors_, tuning_), progress.part(0, 0.6));
         if (is_asked || (options_.mirror == Mirror::automatic && is_promising(progress.part(0.6, 0.7)))) {
             read_in_the_mirror();
-            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, 1));
+            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, is_asked ? 1 : 0.9));
         }
+        if (as_it_is_ && in_the_mirror_ && !is_inside_out() && mirrored_score_ > score_ + least_gain() &&
+            (is_like_its_mirror_image(source_, progress.part(0.9, 0.95)) ||
+             is_like_its_mirror_image(target_, progress.part(0.95, 1))))
+            in_the_mirror_.reset();
         is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain());
     }
 
@@ -191,6 +195,15 @@ class Readings {
         if (options_.initial) return reading.score_of(*options_.initial);
         reading.search(progress, watch_);
         return reading.score();
+    }
+
+    // Of a body that is alike left and right both readings fit, and poses decide which does better. A left
+    // bone is less like its own mirror image than a right one of somebody else is.
+    bool is_like_its_mirror_image(const PreparedShape& shape, const ProgressRange& progress) {
+        const PreparedShape mirror = mirrored(shape);
+        Reading reading(shape, mirror, nothing_known, tuning_);
+        reading.search(progress, watch_);
+        return reading.score() >= mirrored_score_;
     }
 
     bool is_inside_out() const { return source_.origin.was_inside_out != target_.origin.was_inside_out; }

@@ -310,7 +310,7 @@ struct MirrorTuning {
     /// Proposals of the mirrored reading that are refined at first, and how much better than the best of the
     /// other reading one must be for a search.
     std::size_t n_first = 4;
-    double promising = 0.03;
+    double promising = 0.06;
     /// How much better the map of a mirrored search must be to be taken, and how much worse it may be to be
     /// the first runner-up.
     double clear_gain = 0.06, close = 0.06;

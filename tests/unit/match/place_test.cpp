@@ -24,9 +24,11 @@ using test::quick;
 
 TEST(MatchPlace, RefusesInvalidMeshes) {
     EXPECT_THROW(match_place({}, make_grid(1, 1)), InvalidInput);
-    TriangleMesh flat = make_grid(3, 3);
+    TriangleMesh flat = make_grid(3, 3), other = flat;
     flat.vertices.setZero();
-    EXPECT_THROW(match_place(flat, flat), UnsuitableMesh);
+    other.vertices.setZero();
+    other.vertices(0, 0) = 1;
+    EXPECT_THROW(match_place(flat, other), UnsuitableMesh);
 }
 
 // Whatever was cut how, even where connectivity is alike in many ways.
