@@ -58,8 +58,8 @@ def match(
         "auto" tries, in this order: the same connectivity (exact); nearly the same (what the meshes share, the gaps
         filled); vertices or surfaces that lie in the same place (place); where a mesh is open, or `part` is given,
         partial; else spectral; where that cannot work, the nearest vertices after a similarity alignment. Partners
-        that 30 % or more of the connectivity shows lead partial and spectral, and are kept where that map scores no
-        less. The others go by name: "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment".
+        that 30 % or more of the connectivity shows lead partial and spectral, and are kept where that map scores
+        more. The others go by name: "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment".
     initial : MapLike, optional
         A map that is roughly known: it is refined by eigenfunctions, instead of searching for one. With "auto" or
         "spectral"; no other option but `n_threads` and `progress` is then used.

@@ -173,7 +173,7 @@ class Matching {
         Found free = match_with(false);
         if (sure_.empty()) return free;
         Found led = match_with(true);
-        if (!(led.score >= free.score)) return free;
+        if (!(led.score > free.score)) return free;
         differences::keep(sure_, result_.differences->agreement, led.target_from_source,
                           led.source_from_target, led.confidence);
         const Index n_open = static_cast<Index>(std::count(sure_.begin(), sure_.end(), VertexMap::unmatched));

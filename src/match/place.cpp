@@ -8,6 +8,7 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/place.hpp>
+#include <counterpart/mesh/measure.hpp>
 
 #include <cmath>
 
@@ -39,7 +40,8 @@ double confidence_at(double squared_distance, double reach) {
 }
 
 PlaceResult by_surfaces(MeshView source, MeshView target) {
-    if (target.n_triangles() == 0) throw UnsuitableMesh("the target has no triangles, only vertices");
+    if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
+        throw UnsuitableMesh("a mesh has no area: what lies in the same place cannot be seen");
     const place::Coincidence found = place::measure_coincidence(source, target);
     PlaceResult result;
     result.source_share = found.source_share;

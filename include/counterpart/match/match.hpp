@@ -83,7 +83,7 @@ struct MatchResult {
 ///      partner;
 ///   5. otherwise the spectral map (match_spectral), which matches every vertex; in 4 and 5, if 30 % or more
 ///      of the connectivity agrees, and distances between these pairs do, a second map is led by them: where
-///      its score is not lower it is taken, and the partners that connectivity shows are kept;
+///      its score is higher it is taken, and the partners that connectivity shows are kept;
 ///   6. where that cannot work (fewer than 20 distinct vertices, no area): closest vertices after the best
 ///      similarity alignment.
 ///

@@ -145,22 +145,13 @@ Index count_same_faces(MeshView source, MeshView target, const std::vector<Index
     return static_cast<Index>(common.size());
 }
 
-// Whether most directed edges of triangles that the target has, too, run the other way there.
+// Whether the surfaces face opposite ways where they have a vertex in common.
 bool is_reversed(MeshView source, MeshView target, const std::vector<Index>& image) {
-    std::vector<Index> itself(to_size(target.n_vertices()));
-    std::iota(itself.begin(), itself.end(), 0);
-    std::vector<Edge> ours = sorted_edges(source, image), common;
-    const std::vector<Edge> theirs = sorted_edges(target, itself);
-    const auto count_common = [&] {
-        common.clear();
-        std::set_intersection(ours.begin(), ours.end(), theirs.begin(), theirs.end(),
-                              std::back_inserter(common));
-        return common.size();
-    };
-    const std::size_t straight = count_common();
-    for (Edge& edge : ours) std::swap(edge[0], edge[1]);
-    std::sort(ours.begin(), ours.end());
-    return count_common() > straight;
+    const Points ours = vertex_normals(source), theirs = vertex_normals(target);
+    double sum = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v)
+        if (image[to_size(v)] >= 0) sum += ours.row(v).dot(theirs.row(image[to_size(v)]));
+    return sum < 0;
 }
 
 // The share of the edges of either mesh that are edges of the other, the smaller one.
