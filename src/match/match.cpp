@@ -4,6 +4,7 @@
 #include "match/choice/requests.hpp"
 #include "match/choice/unused_options.hpp"
 #include "match/differences/beyond.hpp"
+#include "match/differences/lengths_fit.hpp"
 #include "match/differences/sure_pairs.hpp"
 #include "match/verdict/doubts.hpp"
 
@@ -145,6 +146,12 @@ class Matching {
         result_.target_from_source = result_.exact->target_from_source;
         add(result_.exact->messages);
         result_.confidence = Vector::Ones(source_.n_vertices());
+        if (options_.method == MatchMethod::exact && result_.exact->automorphisms.number != 1 &&
+            !differences::lengths_fit(result_.target_from_source, source_, target_))
+            add({{MessageCode::misfit, Severity::caution,
+                  "the connectivity is the same in several ways, and none of them keeps the lengths of "
+                  "edges: "
+                  "another method may be right"}});
     }
 
     void take_shared() {
@@ -162,7 +169,9 @@ class Matching {
             result_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
         result_.target_from_source = result_.place->target_from_source;
         result_.confidence = result_.place->confidence;
-        if (options_.method == MatchMethod::place)  // else the reason says it
+        if (!coincides(*result_.place))
+            add({{MessageCode::misfit, Severity::do_not_use, result_.place->sentence}});
+        else if (options_.method == MatchMethod::place)  // else the reason says it
             add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
         watch_.lap("place");
     }
