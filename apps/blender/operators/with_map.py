@@ -149,11 +149,13 @@ class WithMap:
     def _matched(self, context):
         """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
         found = self._job.result
-        for pair, answer in zip(self._matching, found, strict=True):
-            if pair.selected_object.data.library is None:
-                store(pair.selected_object.data, answer)
+        kept = [
+            (pair, answer) for pair, answer in zip(self._matching, found, strict=True) if _can_be_kept(pair, answer)
+        ]
+        for pair, answer in kept:
+            store(pair.selected_object.data, answer)
         bpy.ops.ed.undo_push(message="Match")
-        doubts = [(pair, answer) for pair, answer in zip(self._matching, found, strict=True) if answer.verdict != "use"]
+        doubts = [(pair, answer) for pair, answer in kept if answer.verdict != "use"]
         if doubts and self.trusts:
             for pair, answer in doubts:
                 self.report(
@@ -207,6 +209,12 @@ class WithMap:
             self.report({"INFO"}, f"{self.bl_label}: canceled, nothing was changed")
         except (Refused, cp.InvalidInput, cp.UnsuitableMesh, cp.NumericalError) as error:
             self.report({"ERROR"}, str(error))
+
+
+def _can_be_kept(pair: Pair, found: StoredMap) -> bool:
+    """Not of vertices that modifiers make, nor in the data of another file."""
+    mesh = pair.selected_object.data
+    return mesh.library is None and len(found.vertex) == len(mesh.vertices)
 
 
 def _matched_pairs(pairs: list[Pair], progress: Callable[[float], bool]) -> list[StoredMap]:
