@@ -4,12 +4,12 @@
 
 from __future__ import annotations
 
-import heapq
 from functools import cached_property
 
 import counterpart3d as cp
 import numpy as np
 
+from .edge_graph import EdgeGraph
 from .objects import Surface
 from .same_faces import same_faces
 from .stored_map import StoredMap
@@ -148,39 +148,6 @@ class Carrier:
             )
             carried[of_face] = weights @ values[rows[anchor]]
         return carried
-
-
-class EdgeGraph:
-    """Shortest paths along the edges of a mesh."""
-
-    def __init__(self, surface: Surface) -> None:
-        self.vertices = surface.vertices
-        self.neighbors: list[list[tuple[int, int, float]]] = [[] for _ in surface.vertices]
-        lengths = np.linalg.norm(np.diff(surface.vertices[surface.edges], axis=1)[:, 0], axis=1)
-        for edge, ((a, b), length) in enumerate(zip(surface.edges.tolist(), lengths.tolist(), strict=True)):
-            self.neighbors[a].append((b, edge, length))
-            self.neighbors[b].append((a, edge, length))
-
-    def path(self, start: int, goal: int) -> list[int]:
-        """The edges from one vertex to another; none if they are not connected (A*: Hart, Nilsson, Raphael 1968)."""
-        ahead = np.linalg.norm(self.vertices - self.vertices[goal], axis=1)
-        best: dict[int, float] = {start: 0.0}
-        came: dict[int, tuple[int, int]] = {}
-        queue = [(float(ahead[start]), start)]
-        while queue:
-            _, vertex = heapq.heappop(queue)
-            if vertex == goal:
-                break
-            for neighbor, edge, length in self.neighbors[vertex]:
-                far = best[vertex] + length
-                if far < best.get(neighbor, np.inf):
-                    best[neighbor], came[neighbor] = far, (vertex, edge)
-                    heapq.heappush(queue, (far + float(ahead[neighbor]), neighbor))
-        edges: list[int] = []
-        while goal != start and goal in came:
-            goal, edge = came[goal]
-            edges.append(edge)
-        return edges
 
 
 def _triangles_of(face_of_triangle: np.ndarray, faces: set[int]) -> dict[int, list[int]]:

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import bpy
 
-from ..stored_map import store
 from .with_map import WithMap
 
 
@@ -15,10 +14,7 @@ class COUNTERPART_OT_match(WithMap, bpy.types.Operator):
 
     bl_idname = "counterpart.match"
     bl_label = "Match"
+    trusts = False
 
     def prepare(self, context, pair, found):
-        def write():
-            store(pair.selected_object.data, found)
-            return []
-
-        return write
+        return lambda: []  # the base keeps the map

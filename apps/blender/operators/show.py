@@ -18,6 +18,7 @@ class COUNTERPART_OT_show(WithMap, bpy.types.Operator):
 
     bl_idname = "counterpart.show"
     bl_label = "Show"
+    trusts = False
     writes_active = True
 
     what: bpy.props.EnumProperty(

@@ -33,6 +33,7 @@ class WithMap:
     bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
     writes_active = False  # the active object is changed
     writes_selected = True
+    trusts = True  # the result is only as good as the map: doubts are told before
     may_differ = False  # the modifiers of a selected object may make other vertices
 
     seen: bpy.props.BoolProperty(
@@ -77,7 +78,7 @@ class WithMap:
             pairs = self._pairs(context)
             if any(pair.kept is None for pair in pairs):
                 return self._start(context, pairs)
-            if any(pair.kept.verdict != "use" for pair in pairs):
+            if self.trusts and any(pair.kept.verdict != "use" for pair in pairs):
                 return self._ask(context, pairs)
             return self.execute(context)
         return {"CANCELLED"}
@@ -148,12 +149,14 @@ class WithMap:
     def _matched(self, context):
         """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
         found = self._job.result
-        for pair, answer in zip(self._matching, found, strict=True):
-            if pair.selected_object.data.library is None:
-                store(pair.selected_object.data, answer)
+        kept = [
+            (pair, answer) for pair, answer in zip(self._matching, found, strict=True) if _can_be_kept(pair, answer)
+        ]
+        for pair, answer in kept:
+            store(pair.selected_object.data, answer)
         bpy.ops.ed.undo_push(message="Match")
-        doubts = [(pair, answer) for pair, answer in zip(self._matching, found, strict=True) if answer.verdict != "use"]
-        if doubts and self.writes_selected | self.writes_active:
+        doubts = [(pair, answer) for pair, answer in kept if answer.verdict != "use"]
+        if doubts and self.trusts:
             for pair, answer in doubts:
                 self.report(
                     {"WARNING"},
@@ -176,13 +179,13 @@ class WithMap:
 
     def _finish(self, context, pairs: list[Pair], found: list[StoredMap]):
         for pair, answer in zip(pairs, found, strict=True):
-            if answer.verdict == "do not use" and not self.use_doubtful:
+            if self.trusts and answer.verdict == "do not use" and not self.use_doubtful:
                 raise Refused(
                     f"'{pair.selected_object.name}', {answer.sentence}. 'Use Doubtful Maps' goes on all the same"
                 )
         changes = [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
         for pair, answer in zip(pairs, found, strict=True):
-            if self.writes_selected:
+            if self.writes_selected and answer is not pair.kept:
                 store(pair.selected_object.data, answer)
         notices = [notice for change in changes for notice in change()]
         for pair, answer in zip(pairs, found, strict=True):
@@ -206,6 +209,12 @@ class WithMap:
             self.report({"INFO"}, f"{self.bl_label}: canceled, nothing was changed")
         except (Refused, cp.InvalidInput, cp.UnsuitableMesh, cp.NumericalError) as error:
             self.report({"ERROR"}, str(error))
+
+
+def _can_be_kept(pair: Pair, found: StoredMap) -> bool:
+    """Not of vertices that modifiers make, nor in the data of another file."""
+    mesh = pair.selected_object.data
+    return mesh.library is None and len(found.vertex) == len(mesh.vertices)
 
 
 def _matched_pairs(pairs: list[Pair], progress: Callable[[float], bool]) -> list[StoredMap]:
