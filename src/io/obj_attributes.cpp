@@ -165,7 +165,8 @@ AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string
     content.normals = attribute_of(found, content.mesh, 2, found.normals, 3, result.notices);
     if (found.n_vertices > 0 && static_cast<std::int64_t>(found.colors.size()) == 3 * found.n_vertices)
         content.colors.push_back(
-            {Eigen::Map<const Matrix>(found.colors.data(), std::ssize(found.colors) / 3, 3), content.mesh.triangles});
+            {Eigen::Map<const Matrix>(found.colors.data(), std::ssize(found.colors) / 3, 3),
+             content.mesh.triangles});
     if (found.part_names.size() > 1 || (found.part_names.size() == 1 && !found.part_names[0].empty())) {
         content.parts = std::move(found.parts);
         content.part_names = std::move(found.part_names);

@@ -198,7 +198,8 @@ RetriangulateResult retriangulate(MeshView mesh, const RetriangulateOptions& opt
         if (changing.collapse(v)) --n_left;
     }
     for (Index t = 0; t < changing.n_triangles(); ++t)
-        if (random.uniform() < options.flip_share) changing.flip(t, static_cast<std::size_t>(random.below(3)));
+        if (random.uniform() < options.flip_share)
+            changing.flip(t, static_cast<std::size_t>(random.below(3)));
     return changing.result();
 }
 
