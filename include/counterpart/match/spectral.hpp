@@ -118,7 +118,7 @@ struct SpectralResult {
     bool mirrored = false;
     std::vector<SpectralAlternative> alternatives;  ///< best first
     std::vector<Message> messages;                  ///< what was noticed and what may be wrong
-    std::vector<StageTime> stages;                  ///< seconds of each stage, named as in docs/methods/spectral.md
+    std::vector<StageTime> stages;                  ///< seconds of each, named as in docs/methods/spectral.md
 };
 
 /// Automatic dense correspondence of two surfaces of different connectivity: two poses of one body, two
