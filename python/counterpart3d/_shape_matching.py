@@ -9,6 +9,8 @@ from typing import Any
 
 from . import _core
 from ._calls import ProgressLike, Report, part_of, reporting
+from ._core import InvalidInput
+from ._maps import MapLike, vertex_map_of
 from ._match_options import Direction, Part, direction, known_pairs, spectral_options, with_fields
 from ._match_results import PartialResult, SpectralResult
 from ._meshes import Mesh, MeshLike, content_of, core_mesh
@@ -118,6 +120,7 @@ def match_spectral(
     source: MeshLike,
     target: MeshLike,
     *,
+    initial: MapLike | None = None,
     landmarks: Any = None,
     soft_landmarks: bool = False,
     excluded: Any = None,
@@ -139,6 +142,9 @@ def match_spectral(
     ----------
     source, target : MeshLike
         Prepared shapes (`SpectralShape`) save time where one mesh is matched with many.
+    initial : MapLike, optional
+        A map to vertices that is roughly known, every vertex matched: it is refined, instead of searching for one. Both
+        shapes must be prepared; other meshes are a matter for `match`.
     landmarks, soft_landmarks, excluded, aligned, up, facing, mirror, symmetric, n_alternatives
         See `match`.
     basis_size, n_samples, seed
@@ -169,11 +175,15 @@ def match_spectral(
     shape = with_fields(
         _core.SpectralShapeOptions(), basis_size=basis_size, n_samples=n_samples, seed=seed, n_threads=n_threads
     )
+    prepared = isinstance(source, SpectralShape) and isinstance(target, SpectralShape)
+    if initial is not None and not prepared:
+        raise InvalidInput("initial needs prepared shapes: give two SpectralShape, or use match(..., initial=)")
+    start = None if initial is None else vertex_map_of(initial, None, "initial")
     with reporting(progress, "matching") as report:
         if isinstance(source, SpectralShape) or isinstance(target, SpectralShape):
             begin = _prepared(source, shape, part_of(report, 0, 0.4))
             end = _prepared(target, shape, part_of(report, 0, 0.4))
-            found = _core.match_spectral(begin, end, options, part_of(report, 0.4, 1))
+            found = _core.match_spectral(begin, end, options, start, part_of(report, 0.4, 1))
         else:
             found = _core.match_spectral(core_mesh(source), core_mesh(target), options, shape, report)
         return SpectralResult._of(found)

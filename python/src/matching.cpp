@@ -270,13 +270,14 @@ void bind_matching(nb::module_& module) {
     module.def(
         "match_spectral",
         [](const SpectralShape& source, const SpectralShape& target, SpectralOptions options,
-           const nb::object& progress) {
+           const std::optional<IndexArray>& initial, const nb::object& progress) {
             return dictionary(run(progress, [&](Progress report) {
+                if (initial) options.initial = vertex_map_of(*initial, target.n_vertices());
                 options.progress = std::move(report);
                 return match_spectral(source, target, options);
             }));
         },
-        "source"_a, "target"_a, "options"_a, "progress"_a.none());
+        "source"_a, "target"_a, "options"_a, "initial"_a.none(), "progress"_a.none());
     module.def(
         "match_spectral",
         [](const Mesh& source, const Mesh& target, SpectralOptions options, const SpectralShapeOptions& shape,

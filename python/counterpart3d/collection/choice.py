@@ -1,0 +1,144 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Stage two: match some of the pairs, and choose their maps for all at once."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+
+import numpy as np
+
+from .. import InvalidInput
+from .._arrays import IntArray
+from . import chirality, cycles, graph
+from .graph import Edge
+from .pairs import match_pair, pair_key
+from .runner import Progress, Runner
+from .settings import Settings
+from .specimens import Specimen
+from .store import Store
+from .tree import Tree, composed, spanning_tree
+
+STRANGE = 0.5  # corruption: maps that lead nowhere
+
+
+@dataclasses.dataclass(frozen=True)
+class Network:
+    """The chosen maps between the specimens.
+
+    Attributes
+    ----------
+    families : dict of Edge to Family
+        Of all pairs that were matched.
+    choice : Choice
+        Of those that are not held out.
+    held_out : list of Edge
+    tree : Tree
+    mirrored : ndarray of bool, (n,)
+    strangers : dict of int to str
+        Specimens that do not belong, and why.
+    failures : dict of Edge to str
+    """
+
+    families: Mapping[Edge, cycles.Family]
+    choice: cycles.Choice
+    held_out: list[Edge]
+    tree: Tree
+    mirrored: np.ndarray
+    strangers: dict[int, str]
+    failures: dict[Edge, str]
+
+    def step(self, i: int, j: int) -> IntArray:
+        """The chosen map from a specimen to a neighbor."""
+        edge = (min(i, j), max(i, j))
+        family, label = self.families[edge], self.choice.label[edge]
+        return family.forward[label] if i < j else family.backward[label]
+
+    def from_root(self, shape: int) -> IntArray:
+        """The map from the root's vertices, composed along the tree."""
+        if shape == self.tree.root:
+            n = next(len(f.forward[0]) if e[0] == shape else len(f.backward[0]) for e, f in self.families.items() if shape in e)
+            return np.arange(n, dtype=np.int32)
+        return composed(self.tree, shape, self.step)
+
+
+def network_of(
+    runner: Runner, store: Store, specimens: list[Specimen], settings: Settings, progress: Progress, root: int | None
+) -> Network:
+    """Match and choose.
+
+    Raises
+    ------
+    InvalidInput
+        No pair could be matched.
+    """
+    edges = pairs_to_match(store, specimens, settings, root)
+    mirror = settings.mirror == "auto"
+    progress.say(f"{len(edges)} pairs of {len(specimens)} shapes are matched")
+    failures = _match(runner, store, specimens, edges, mirror, progress)
+    edges = [edge for edge in edges if edge not in failures]
+    if not edges:
+        raise InvalidInput(f"no pair could be matched; the first: {next(iter(failures.values()))}")
+    loaded = {e: store.get("pairs", pair_key(specimens[e[0]].key, specimens[e[1]].key, mirror)) for e in edges}
+    mirrored = np.zeros(len(specimens), bool)
+    if mirror:
+        evidence = [(*e, _best(found, False) - _best(found, True)) for e, found in loaded.items()]
+        mirrored = chirality.mirrored_shapes(len(specimens), evidence)[0]
+    families = {}
+    for (i, j), found in loaded.items():
+        rows = found["mirrored"] == (mirrored[i] != mirrored[j])
+        families[i, j] = cycles.Family(found["forward"][rows], found["backward"][rows], found["score"][rows])
+    kept_out = graph.held_out(edges, len(specimens), settings.seed) if len(specimens) > 4 else []
+    shapes = [specimen.points(store) for specimen in specimens]
+    choice = cycles.choose({e: f for e, f in families.items() if e not in kept_out}, shapes)
+    strangers = strangers_among(len(specimens), choice)
+    allowed = np.array([i not in strangers and not mirrored[i] for i in range(len(specimens))])
+    tree = spanning_tree(len(specimens), choice.corruption, allowed, root)
+    return Network(families, choice, kept_out, tree, mirrored, strangers, failures)
+
+
+def pairs_to_match(store: Store, specimens: list[Specimen], settings: Settings, root: int | None) -> list[Edge]:
+    """The pairs, as the settings want them."""
+    if settings.pairs == "all":
+        return graph.all_pairs(len(specimens))
+    if settings.pairs == "sequence":
+        edges = graph.pairs_in_time(len(specimens) - (root is not None))
+        return edges if root is None else sorted({*edges, *((i, root) for i in range(0, root, 8))})
+    descriptors = np.stack([specimen.shape(store)["descriptor"] for specimen in specimens])
+    center = graph.medoid(descriptors) if root is None else root
+    return graph.sparse_pairs(descriptors, center, settings.seed)
+
+
+def strangers_among(n: int, choice: cycles.Choice) -> dict[int, str]:
+    """Specimens all of whose maps disagree with those around them."""
+    if n < 4:
+        return {}
+    least = np.full(n, np.inf)
+    for (i, j), corruption in choice.corruption.items():
+        least[[i, j]] = np.minimum(least[[i, j]], corruption)
+    bad = np.flatnonzero(~(least <= STRANGE))
+    if len(bad) * 2 >= n:
+        return {}
+    return {
+        int(i): "does not belong: no map to or from it agrees with the maps between the others" for i in bad
+    }
+
+
+def _best(found: Mapping[str, np.ndarray], mirrored: bool) -> float:
+    return float(found["score"][found["mirrored"] == mirrored].max())
+
+
+def _match(
+    runner: Runner, store: Store, specimens: list[Specimen], edges: list[Edge], mirror: bool, progress: Progress
+) -> dict[Edge, str]:
+    failures: dict[Edge, str] = {}
+    items = [(store, specimens[i].key, specimens[j].key, mirror) for i, j in edges]
+    progress.start()
+    for done, (k, message) in enumerate(runner.outcomes(match_pair, items)):
+        if message is not None:
+            failures[edges[k]] = message
+            names = " and ".join(specimens[i].name for i in edges[k])
+            progress.say(f"{names} could not be matched: {message}")
+        progress.step("pairs", done + 1, len(items))
+    return failures

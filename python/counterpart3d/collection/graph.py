@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Which pairs of a collection are matched: 3 to 4 for each shape, so that every pair lies on several cycles."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._arrays import FloatArray
+from .descriptors import distances_between
+
+Edge = tuple[int, int]
+ALL_PAIRS_UP_TO = 6  # shapes
+ANCHORS_ABOVE, N_ANCHORS = 200, 48
+N_NEIGHBORS = 3
+HELD_OUT = 0.1
+
+
+def medoid(descriptors: FloatArray) -> int:
+    """The shape of the least total distance to the others."""
+    return int(np.argmin(distances_between(descriptors, descriptors).sum(axis=1)))
+
+
+def sparse_pairs(descriptors: FloatArray, center: int, seed: int = 0) -> list[Edge]:
+    """The nearest by descriptor, a random spanning tree, and a star around the center.
+
+    With more than 200 shapes this is done for 48 anchors, spread out by descriptor; every other shape is matched with
+    the three anchors nearest to it: O(N) pairs.
+    """
+    n = len(descriptors)
+    if n <= ALL_PAIRS_UP_TO:
+        return all_pairs(n)
+    if n > ANCHORS_ABOVE:
+        return _anchored_pairs(descriptors, center, seed)
+    distance = distances_between(descriptors, descriptors)
+    np.fill_diagonal(distance, np.inf)
+    nearest = np.argsort(distance, axis=1, kind="stable")[:, :N_NEIGHBORS]
+    edges = {_edge(i, int(j)) for i in range(n) for j in nearest[i]}
+    edges |= {_edge(center, i) for i in range(n) if i != center}
+    order = np.random.default_rng(seed).permutation(n)
+    random = np.random.default_rng(seed + 1)
+    edges |= {_edge(int(order[i]), int(order[random.integers(i)])) for i in range(1, n)}
+    return sorted(edges)
+
+
+def all_pairs(n: int) -> list[Edge]:
+    return [(i, j) for i in range(n) for j in range(i + 1, n)]
+
+
+def pairs_in_time(n: int, spacing: int = 8) -> list[Edge]:
+    """Frames with the next and the one after; and key frames, every eighth, with each other: these close the drift."""
+    edges = {(i, j) for i in range(n) for j in (i + 1, i + 2) if j < n}
+    keys = list(range(0, n, spacing))
+    edges |= {_edge(i, j) for a, i in enumerate(keys) for j in keys[a + 1 : a + 3]}
+    edges |= {_edge(keys[len(keys) // 2], i) for i in keys if i != keys[len(keys) // 2]}
+    return sorted(edges)
+
+
+def held_out(edges: list[Edge], n: int, seed: int = 0) -> list[Edge]:
+    """A tenth of the pairs, which the choice does not see: what it says of them is the honest error.
+
+    Each shape keeps at least two others.
+    """
+    degree = np.bincount(np.array(edges).ravel(), minlength=n)
+    chosen: list[Edge] = []
+    for k in np.random.default_rng(seed).permutation(len(edges)):
+        i, j = edges[k]
+        if len(chosen) >= round(HELD_OUT * len(edges)):
+            break
+        if min(degree[i], degree[j]) > 3:
+            chosen.append((i, j))
+            degree[[i, j]] -= 1
+    return sorted(chosen)
+
+
+def spread_out(descriptors: FloatArray, count: int, start: int) -> list[int]:
+    """Shapes of which each is the farthest from those before it (the greedy k-center)."""
+    chosen = [start]
+    distance = np.linalg.norm(descriptors - descriptors[start], axis=1)
+    while len(chosen) < min(count, len(descriptors)):
+        chosen.append(int(np.argmax(distance)))
+        distance = np.minimum(distance, np.linalg.norm(descriptors - descriptors[chosen[-1]], axis=1))
+    return chosen
+
+
+def _anchored_pairs(descriptors: FloatArray, center: int, seed: int) -> list[Edge]:
+    anchors = spread_out(descriptors, N_ANCHORS, center)
+    edges = {_edge(anchors[i], anchors[j]) for i, j in sparse_pairs(descriptors[anchors], 0, seed)}
+    others = np.setdiff1d(np.arange(len(descriptors)), anchors)
+    for i in others:
+        distance = np.linalg.norm(descriptors[anchors] - descriptors[i], axis=1)
+        edges |= {_edge(int(i), anchors[k]) for k in np.argsort(distance, kind="stable")[:3]}
+    return sorted(edges)
+
+
+def _edge(i: int, j: int) -> Edge:
+    return (min(i, j), max(i, j))

@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The template's mesh on a specimen."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from .. import Mesh, fit, match_spectral, project_map
+from .._arrays import FloatArray, IntArray
+from .shapes import mesh_of, prepared
+from .store import Arrays, Store, compute_once, key_of
+from .surfaces import triangle_normals
+
+NEAR = 0.01  # of the diagonal: a scan's vertex this near to the fit is covered
+
+
+def registration_key(template: str, specimen: str, mirrored: bool, start: str) -> str:
+    return key_of("registrations", template, specimen, start, mirrored=mirrored)
+
+
+def register(store: Store, template: str, specimen: str, mirrored: bool, start: tuple[str, str]) -> str | None:
+    """Fit a template to a specimen, from a map that is roughly known: the result `registrations`.
+
+    Parameters
+    ----------
+    store : Store
+    template : str
+        Key of the `shapes` with its mesh.
+    specimen : str
+        Key of its `shapes`.
+    mirrored : bool
+        Fit the mirror image of the specimen.
+    start : (str, str)
+        Task and key of the result that the map is taken from: `starts`, or `registrations` of the last round.
+
+    Returns
+    -------
+    str or None
+        The message of a failure.
+    """
+
+    def compute() -> Arrays:
+        model = mesh_of(store.get("shapes", template))
+        scan = mesh_of(store.get("shapes", specimen), mirrored=mirrored)
+        known = store.get(*start)
+        image = known["image"] if "image" in known else nearest_vertices(known["vertices"], scan)
+        return registered(store, model, scan, image)
+
+    return compute_once(store, "registrations", registration_key(template, specimen, mirrored, start[1]), compute)
+
+
+def nearest_vertices(points: FloatArray, scan: Mesh) -> IntArray:
+    return cKDTree(scan.vertices).query(points)[1].astype(np.int32)
+
+
+def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays:
+    """Refine the map without a search, then bend the template onto the scan."""
+    refined = match_spectral(
+        prepared(model, store), prepared(scan, store), initial=image, n_alternatives=0, n_threads=1
+    )
+    points = project_map(model, scan, refined.target_from_source, n_threads=1)
+    fitted = fit(model, scan, points, n_threads=1)
+    diagonal = np.linalg.norm(np.ptp(scan.vertices, axis=0))
+    return {
+        "vertices": fitted.vertices,
+        "triangle": points.triangle,
+        "weights": points.weights,
+        "template_from_scan": refined.source_from_target,
+        "confidence": refined.confidence.astype(np.float32),
+        "score": np.array(refined.score),
+        "distance": _summary(fitted.distance),
+        "scan_distance": _summary(fitted.scan_distance),
+        "coverage": np.array((fitted.scan_distance <= NEAR * diagonal).mean()),
+        "turned": np.array(turned_triangles(model, fitted.vertices)),
+        "folded": np.array(max(fitted.folded_edges - fitted.own_folded_edges, 0)),
+    }
+
+
+def _summary(distance: FloatArray) -> FloatArray:
+    """Mean, 99th percentile, largest."""
+    known = distance[np.isfinite(distance)]
+    if not len(known):
+        return np.full(3, np.nan)
+    return np.array([known.mean(), np.percentile(known, 99), known.max()])
+
+
+def turned_triangles(model: Mesh, vertices: FloatArray) -> float:
+    """Share of the triangles that face against those around them, and did not in the template."""
+    before, after = (triangle_normals(v, model.triangles)[0] for v in (model.vertices, vertices))
+    sums = []
+    for normals in (before, after):
+        at_vertex = np.zeros_like(vertices)
+        np.add.at(at_vertex, model.triangles.ravel(), np.repeat(normals, 3, axis=0))
+        sums.append(at_vertex[model.triangles].sum(axis=1))
+    facing = [np.einsum("nd,nd->n", own, around) for own, around in zip((before, after), sums, strict=True)]
+    return float(((facing[0] > 0) & (facing[1] < 0)).mean())

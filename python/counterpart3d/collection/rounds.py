@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Stage three: the template on every specimen, their mean as the next template, until it rests."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+
+import numpy as np
+
+from .. import vertex_areas
+from .._arrays import FloatArray, IntArray
+from .choice import Network
+from .procrustes import Alignment, generalized_procrustes
+from .registration import register, registration_key
+from .runner import Progress, Runner
+from .settings import Settings
+from .shapes import described
+from .specimens import Specimen
+from .store import Store, key_of
+from .surfaces import area, diagonal
+
+AT_REST = 1e-3  # of the diagonal
+NO_SHAPE = 0.9  # a mean that has lost more than a tenth of the area of the shapes
+
+
+@dataclasses.dataclass(frozen=True)
+class Registered:
+    """All specimens in the connectivity of the template.
+
+    Attributes
+    ----------
+    members : list of int
+        Those that have been registered.
+    keys : list of str
+        Of their `registrations`.
+    triangles : ndarray of int32
+    weights : ndarray
+        Area of each vertex of the mean.
+    template : str
+        Key of the `shapes` that was fitted.
+    alignment : Alignment
+    movement : list of float
+        Of the mean in each round, as a fraction of the diagonal.
+    failures : dict of int to str
+    notices : list of str
+    """
+
+    members: list[int]
+    keys: list[str]
+    triangles: IntArray
+    weights: FloatArray
+    template: str
+    alignment: Alignment
+    movement: list[float]
+    failures: dict[int, str]
+    notices: list[str]
+
+
+def registered_specimens(
+    runner: Runner, store: Store, specimens: list[Specimen], network: Network, settings: Settings, progress: Progress,
+    apart: int | None,
+) -> Registered:
+    """Register all that belong; `apart` is the specimen that only serves as the template."""
+    root = network.tree.root
+    reached = np.isfinite(network.tree.cost)
+    members = [i for i in range(len(specimens)) if reached[i] and i not in network.strangers and i != apart]
+    failures = {i: "no pair leads to it" for i in range(len(specimens)) if not reached[i]}
+    template, movement, notices = specimens[root].key, [], []
+    triangles = store.get("shapes", template)["triangles"]
+    starts = {i: ("starts", _kept_start(store, network.from_root(i))) for i in members}
+    alignment = None
+    for number in range(1, settings.rounds + 1):
+        what = f"round {number}: fitted"
+        failed = _round(runner, store, specimens, network, template, starts, what, progress)
+        failures |= failed
+        members = [i for i in members if i not in failed]
+        keys = [registration_key(template, specimens[i].key, bool(network.mirrored[i]), starts[i][1]) for i in members]
+        shapes = np.stack([store.get("registrations", key)["vertices"] for key in keys])
+        before = store.get("shapes", template)["vertices"]
+        weights = vertex_areas((before, triangles))
+        alignment = generalized_procrustes(shapes, weights, keep_size=settings.same_scale)
+        movement.append(_movement(before, alignment.mean, weights))
+        progress.say(f"round {number}: the mean moved by {100 * movement[-1]:.2f} % of the diagonal")
+        kept_area = area(alignment.mean, triangles) / np.mean([area(s, triangles) for s in alignment.aligned])
+        if kept_area < NO_SHAPE:
+            notices.append(
+                f"the shapes differ in pose: their mean has {100 * kept_area:.0f} % of their area and is no shape of its "
+                f"kind, so {specimens[root].name} stays the template"
+            )
+        if movement[-1] < AT_REST or number == settings.rounds or kept_area < NO_SHAPE:
+            break
+        template = kept_template(store, alignment.mean, triangles)
+        starts = {i: ("registrations", key) for i, key in zip(members, keys, strict=True)}
+    assert alignment is not None
+    return Registered(members, keys, triangles, weights, template, alignment, movement, failures, notices)
+
+
+def kept_template(store: Store, vertices: FloatArray, triangles: IntArray) -> str:
+    """The key of the `shapes` that a made mesh is kept as."""
+    content = hashlib.sha256(vertices.tobytes() + triangles.tobytes()).hexdigest()
+    key = key_of("template", content)
+    if store.load("shapes", key) is None:
+        store.save("shapes", key, {"vertices": vertices, "triangles": triangles, **described(vertices, triangles)})
+    return key
+
+
+def _kept_start(store: Store, image: IntArray) -> str:
+    key = key_of("starts", hashlib.sha256(image.tobytes()).hexdigest())
+    if store.load("starts", key) is None:
+        store.save("starts", key, {"image": image})
+    return key
+
+
+def _movement(before: FloatArray, after: FloatArray, weights: FloatArray) -> float:
+    """Root mean square distance between two templates, aligned, as a fraction of the diagonal."""
+    both = generalized_procrustes(np.stack([before, after]), weights).aligned
+    w = weights / weights.sum()
+    return float(np.sqrt(w @ ((both[0] - both[1]) ** 2).sum(axis=1)) / diagonal(after))
+
+
+def _round(
+    runner: Runner, store: Store, specimens: list[Specimen], network: Network, template: str,
+    starts: dict[int, tuple[str, str]], what: str, progress: Progress,
+) -> dict[int, str]:
+    members = sorted(starts)
+    items = [(store, template, specimens[i].key, bool(network.mirrored[i]), starts[i]) for i in members]
+    failures: dict[int, str] = {}
+    progress.start()
+    for done, (k, message) in enumerate(runner.outcomes(register, items)):
+        if message is not None:
+            failures[members[k]] = message
+            progress.say(f"{specimens[members[k]].name} could not be fitted: {message}")
+        progress.step(what, done + 1, len(items))
+    return failures

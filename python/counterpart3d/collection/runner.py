@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Who does the work: processes of this machine or of a cluster, through Dask; or this process."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, Protocol
+
+from .. import InvalidInput
+
+Outcome = tuple[int, str | None]
+"""Which item, and the message of its failure."""
+
+MISSING = (
+    "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]' (or dask distributed scipy)"
+)
+
+
+class Runner(Protocol):
+    """Runs one function on many items."""
+
+    def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
+        """The outcome of each, as they come."""
+        ...
+
+
+class ThisProcess:
+    """One after the other."""
+
+    def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
+        for i, item in enumerate(items):
+            yield i, function(*item)
+
+
+class OnDask:
+    """On the workers of a Dask scheduler, a few items for each at a time, so that the client's memory stays flat."""
+
+    def __init__(self, client: Any) -> None:
+        self.client = client
+
+    def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
+        from distributed import as_completed
+
+        waiting = iter(enumerate(items))
+        number: dict[str, int] = {}
+
+        def submit(count: int) -> list[Any]:
+            futures = []
+            for i, item in itertools.islice(waiting, count):
+                future = self.client.submit(function, *item, pure=False, retries=1)
+                number[future.key] = i
+                futures.append(future)
+            return futures
+
+        n_threads = max(sum(self.client.nthreads().values()), 1)
+        running = as_completed(submit(4 * n_threads))
+        for future in running:
+            i = number.pop(future.key)
+            try:
+                result = future.result()
+            except Exception as error:
+                if type(error).__name__ != "KilledWorker":
+                    raise
+                result = "the process that worked on it died again and again: there may not be enough memory"
+            yield i, result
+            future.release()
+            for new in submit(1):
+                running.add(new)
+
+
+@contextlib.contextmanager
+def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
+    """A runner.
+
+    Parameters
+    ----------
+    scheduler : str, optional
+        "inline" for this process; the address of a Dask scheduler, as tcp://host:8786; default: a cluster of processes
+        on this machine.
+    workers : int
+        Processes of that cluster; 0 for one for each processor.
+
+    Raises
+    ------
+    InvalidInput
+        Dask is not installed, or no scheduler answers.
+    """
+    if scheduler == "inline":
+        yield ThisProcess()
+        return
+    try:
+        import distributed
+    except ImportError:
+        raise InvalidInput(MISSING) from None
+    if scheduler is not None:
+        try:
+            client = distributed.Client(scheduler, timeout="20s")  # type: ignore[no-untyped-call]
+        except (OSError, TimeoutError, ValueError) as error:
+            raise InvalidInput(f"no Dask scheduler answers at {scheduler}: {error}") from None
+        with client:
+            yield OnDask(client)
+        return
+    count = workers or len(os.sched_getaffinity(0))
+    with (
+        distributed.LocalCluster(  # type: ignore[no-untyped-call]
+            n_workers=count, threads_per_worker=1, dashboard_address=":0", silence_logs=50
+        ) as cluster,
+        distributed.Client(cluster) as client,  # type: ignore[no-untyped-call]
+    ):
+        yield OnDask(client)
+
+
+class Progress:
+    """Lines on standard error: what is done, and how long the rest takes."""
+
+    def __init__(self, quiet: bool = False) -> None:
+        self.quiet = quiet
+        self._begin = self._shown = time.monotonic()
+
+    def say(self, sentence: str) -> None:
+        if not self.quiet:
+            print(sentence, file=sys.stderr, flush=True)
+
+    def start(self) -> None:
+        self._begin = self._shown = time.monotonic()
+
+    def step(self, what: str, done: int, total: int) -> None:
+        now = time.monotonic()
+        if done < total and now - self._shown < 10:
+            return
+        self._shown = now
+        seconds = now - self._begin
+        left = "" if done == total else f", about {in_words(seconds / done * (total - done))} left"
+        self.say(f"{what}: {done} of {total}{left}")
+
+
+def in_words(seconds: float) -> str:
+    if seconds < 90:
+        return f"{max(seconds, 1):.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
