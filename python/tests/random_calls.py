@@ -304,9 +304,7 @@ class Calls:
 
     def call_distances(self):
         sources = self.handed(self.random.integers(0, 30, 3), INTEGERS)
-        return cp.distances(
-            self.mesh(), self.pick(None, sources, 5, odd=[HUGE]), shortcuts=self.pick(True, False)
-        )
+        return cp.distances(self.mesh(), self.pick(None, sources, 5, odd=[HUGE]), shortcuts=self.pick(True, False))
 
     def call_render(self):
         a, size = self.mesh(), self.pick((32, 24), (1, 1), odd=[(0, 5), (2**20, 1), (-1, 3), (2.5, 3)])

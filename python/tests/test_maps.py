@@ -144,13 +144,9 @@ def test_a_map_to_points_goes_wherever_a_map_goes(pair, points, tmp_path):
     ):
         np.testing.assert_array_equal(use(found), use(corners))
     bases = cp.spectrum(source, 8), cp.spectrum(target, 8)
-    np.testing.assert_array_equal(
-        cp.functional_map(found, *bases), cp.functional_map(corners, *bases)
-    )
+    np.testing.assert_array_equal(cp.functional_map(found, *bases), cp.functional_map(corners, *bases))
     small = {"first": 3, "last": 6, "step": 1}
-    np.testing.assert_array_equal(
-        cp.zoom_out(found, *bases, **small), cp.zoom_out(corners, *bases, **small)
-    )
+    np.testing.assert_array_equal(cp.zoom_out(found, *bases, **small), cp.zoom_out(corners, *bases, **small))
     cp.write_map(found, tmp_path / "points.txt")
     np.testing.assert_array_equal(
         cp.evaluate(source, target, tmp_path / "points.txt", truth).error,

@@ -46,8 +46,7 @@ def test_view(pair, tmp_path):
     assert (tmp_path / "page.html").read_text() == page.html
     turned = source.vertices[:, [2, 0, 1]]  # it stands along z
     pages = {
-        up: cp.view(cp.Mesh(turned, source.triangles), target, truth, up=up).html
-        for up in ("auto", "y", "z", "-z")
+        up: cp.view(cp.Mesh(turned, source.triangles), target, truth, up=up).html for up in ("auto", "y", "z", "-z")
     }
     assert pages["auto"] == pages["z"] and len({pages["y"], pages["z"], pages["-z"]}) == 3
     with pytest.raises(cp.InvalidInput, match="up axis"):

@@ -58,7 +58,11 @@ class Network:
     def from_root(self, shape: int) -> IntArray:
         """The map from the root's vertices, composed along the tree."""
         if shape == self.tree.root:
-            n = next(len(f.forward[0]) if e[0] == shape else len(f.backward[0]) for e, f in self.families.items() if shape in e)
+            n = next(
+                len(f.forward[0]) if e[0] == shape else len(f.backward[0])
+                for e, f in self.families.items()
+                if shape in e
+            )
             return np.arange(n, dtype=np.int32)
         return composed(self.tree, shape, self.step)
 
@@ -120,9 +124,7 @@ def strangers_among(n: int, choice: cycles.Choice) -> dict[int, str]:
     bad = np.flatnonzero(~(least <= STRANGE))
     if len(bad) * 2 >= n:
         return {}
-    return {
-        int(i): "does not belong: no map to or from it agrees with the maps between the others" for i in bad
-    }
+    return {int(i): "does not belong: no map to or from it agrees with the maps between the others" for i in bad}
 
 
 def _best(found: Mapping[str, np.ndarray], mirrored: bool) -> float:

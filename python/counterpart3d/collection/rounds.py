@@ -59,7 +59,12 @@ class Registered:
 
 
 def registered_specimens(
-    runner: Runner, store: Store, specimens: list[Specimen], network: Network, settings: Settings, progress: Progress,
+    runner: Runner,
+    store: Store,
+    specimens: list[Specimen],
+    network: Network,
+    settings: Settings,
+    progress: Progress,
     apart: int | None,
 ) -> Registered:
     """Register all that belong; `apart` is the specimen that only serves as the template."""
@@ -121,8 +126,14 @@ def _movement(before: FloatArray, after: FloatArray, weights: FloatArray) -> flo
 
 
 def _round(
-    runner: Runner, store: Store, specimens: list[Specimen], network: Network, template: str,
-    starts: dict[int, tuple[str, str]], what: str, progress: Progress,
+    runner: Runner,
+    store: Store,
+    specimens: list[Specimen],
+    network: Network,
+    template: str,
+    starts: dict[int, tuple[str, str]],
+    what: str,
+    progress: Progress,
 ) -> dict[int, str]:
     members = sorted(starts)
     items = [(store, template, specimens[i].key, bool(network.mirrored[i]), starts[i]) for i in members]

@@ -17,9 +17,7 @@ from .. import InvalidInput
 Outcome = tuple[int, str | None]
 """Which item, and the message of its failure."""
 
-MISSING = (
-    "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]' (or dask distributed scipy)"
-)
+MISSING = "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]' (or dask distributed scipy)"
 
 
 class Runner(Protocol):

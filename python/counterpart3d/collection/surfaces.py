@@ -33,7 +33,7 @@ def farthest_points(vertices: FloatArray, count: int) -> IntArray:
     chosen = np.empty(count, np.int32)
     distance = np.linalg.norm(vertices - vertices.mean(axis=0), axis=1)
     for i in range(count):
-        chosen[i] = int(np.argmax(distance)) if i else int(np.argmax(distance))
+        chosen[i] = int(np.argmax(distance))
         from_new = np.linalg.norm(vertices - vertices[chosen[i]], axis=1)
         distance = from_new if i == 0 else np.minimum(distance, from_new)
     return chosen

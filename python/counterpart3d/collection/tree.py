@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -61,6 +62,6 @@ def composed(tree: Tree, shape: int, map_between: Callable[[int, int], IntArray]
     if len(way) == 1:
         raise ValueError("the root needs no map to itself")
     image = map_between(way[0], way[1])
-    for i, j in zip(way[1:], way[2:], strict=False):
+    for i, j in itertools.pairwise(way):
         image = map_between(i, j)[image]
     return image

@@ -1,0 +1,154 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""From a folder to a collection, stage by stage. What a stage has made before is not made again."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import Any
+
+import numpy as np
+
+from .. import InvalidInput, Landmarks, SurfaceMap
+from .agreement import disagreement
+from .choice import Network, network_of
+from .correspondence import corners_of
+from .folder import MeshFile, mesh_file, meshes_in
+from .made import Made
+from .outputs import write_outputs
+from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
+from .quality import quality
+from .report import write_report
+from .rounds import Registered, registered_specimens
+from .runner import Progress, Runner
+from .settings import Settings
+from .specimens import Specimen, prepared_specimens
+from .statistics import Model, compactness, generalization, principal_modes, specificity
+from .store import Store
+
+
+def build(folder: str, out: str, settings: Settings, runner: Runner, progress: Progress) -> Made:
+    """Make a collection of the meshes in a folder, and write it.
+
+    Raises
+    ------
+    InvalidInput
+        The folder holds fewer than two meshes that can be used, or an option does not fit it.
+    OSError
+        A result cannot be written.
+    """
+    target = pathlib.Path(out)
+    store = Store(os.path.abspath(target / "work"))
+    files = meshes_in(folder)
+    apart = _template_apart(files.meshes, settings)
+    named = _landmarks_on([*files.meshes, *apart], settings)
+    target.mkdir(parents=True, exist_ok=True)
+    specimens, left_out = prepared_specimens(runner, store, [*files.meshes, *apart], progress)
+    left_out = {**files.left_out, **left_out}
+    root = _root(specimens, settings)
+    if len(specimens) - len(apart) < 2:
+        raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out)}")
+    network = network_of(runner, store, specimens, settings, progress, root)
+    progress.say(f"{specimens[network.tree.root].name} is the template")
+    registered = registered_specimens(runner, store, specimens, network, settings, progress, root if apart else None)
+    if len(registered.members) < 2:
+        raise InvalidInput(f"{folder}: fewer than two specimens could be registered; {_first(left_out)}")
+    model = principal_modes(registered.alignment.aligned, registered.triangles, registered.weights)
+    between = disagreement(store, specimens, network, registered)
+    rows = quality(store, specimens, network, registered, model, between, left_out)
+    points, landmarks = _points(store, specimens, network, registered, model, settings, named)
+    made = Made(store, settings, specimens, left_out, network, registered, model, between, rows, points, landmarks)
+    measures = measured(made)
+    write_outputs(made, target, measures, progress)
+    write_report(made, target / "report.html", measures, progress)
+    return made
+
+
+def measured(made: Made) -> dict[str, Any]:
+    """What is said of the collection as a whole."""
+    aligned = made.registered.alignment.aligned
+    held_out = [made.between[edge] for edge in made.network.held_out if edge in made.between]
+    seen = [error for edge, error in made.between.items() if edge not in made.network.held_out]
+    share = compactness(made.model)
+    specific = specificity(aligned, made.model)
+    result: dict[str, Any] = {
+        "specimens": len(made.registered.members),
+        "left_out": len(made.quality) - len(made.registered.members),
+        "pairs_matched": len(made.network.families),
+        "pairs_failed": len(made.network.failures),
+        "held_out_pairs": len(held_out),
+        "held_out_cycle_error": float(np.median(held_out)) if held_out else float("nan"),
+        "cycle_error": float(np.median(seen)) if seen else float("nan"),
+        "rounds": len(made.registered.movement),
+        "last_movement_of_the_mean": made.registered.movement[-1],
+        "modes_for_95_percent": int(np.searchsorted(share, 0.95) + 1) if len(share) else 0,
+        "specificity": float(specific.mean()),
+    }
+    if len(aligned) > 2:
+        result["generalization"] = float(generalization(aligned, made.model).mean())
+    return result
+
+
+def _template_apart(files: list[MeshFile], settings: Settings) -> list[MeshFile]:
+    """The template, unless it is one of the specimens."""
+    if settings.template is None:
+        return []
+    template = mesh_file(settings.template)
+    if any(file.content == template.content for file in files):
+        return []
+    if any(file.name == template.name for file in files):
+        template = MeshFile(f"template {template.name}", template.path, template.content)
+    return [template]
+
+
+def _root(specimens: list[Specimen], settings: Settings) -> int | None:
+    if settings.template is None:
+        return None
+    content = mesh_file(settings.template).content
+    for i, specimen in enumerate(specimens):
+        if specimen.file.content == content:
+            return i
+    raise InvalidInput(f"{settings.template}: the template cannot be used")
+
+
+def _landmarks_on(files: list[MeshFile], settings: Settings) -> str | None:
+    """The specimen that the landmarks are on, before any work is done."""
+    if settings.landmarks is None:
+        return None
+    checked_landmarks(settings.landmarks)
+    return specimen_of(settings.landmarks, [file.name for file in files])
+
+
+def _points(
+    store: Store,
+    specimens: list[Specimen],
+    network: Network,
+    registered: Registered,
+    model: Model,
+    settings: Settings,
+    named: str | None,
+) -> tuple[dict[str, SurfaceMap], Landmarks | None]:
+    """Points of the template, by name: those that were given, then the evenly spread ones."""
+    points: dict[str, SurfaceMap] = {}
+    landmarks = None
+    if settings.landmarks is not None:
+        landmarks = checked_landmarks(settings.landmarks)
+        i = [specimen.name for specimen in specimens].index(named or "")
+        if i in registered.members:
+            fitted = store.get("registrations", registered.keys[registered.members.index(i)])["vertices"]
+        elif i == network.tree.root:
+            fitted = specimens[i].shape(store)["vertices"]
+        else:
+            raise InvalidInput(f"{settings.landmarks}: {named}, which they are on, could not be registered")
+        points |= on_template(landmarks, fitted * ([-1, 1, 1] if network.mirrored[i] else 1), registered.triangles)
+    if settings.semi:
+        corners = corners_of(registered.triangles, len(model.mean))
+        digits = len(str(settings.semi))
+        for k, v in enumerate(semi_landmarks(model.mean, settings.semi)):
+            points[f"semi{k + 1:0{digits}d}"] = SurfaceMap(corners[[v], 0], np.eye(3)[corners[[v], 1]])
+    return points, landmarks
+
+
+def _first(left_out: dict[str, str]) -> str:
+    return next((f"{name}: {why}" for name, why in left_out.items()), "the others failed")

@@ -1,0 +1,76 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The table that says of each specimen how well it is registered, worst first."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .choice import Network
+from .graph import Edge
+from .rounds import Registered
+from .specimens import Specimen
+from .statistics import Model, outliers
+from .store import Store
+
+Row = dict[str, str | float | bool]
+SUSPECT_COVERAGE, SUSPECT_ERROR = 0.9, 6.0
+
+
+def quality(
+    store: Store,
+    specimens: list[Specimen],
+    network: Network,
+    registered: Registered,
+    model: Model,
+    between: dict[Edge, float],
+    left_out: dict[str, str],
+) -> list[Row]:
+    """A row for each specimen, and for each file that was left out.
+
+    Lengths are in mesh units, `norm_` ones relative to the diagonal of the specimen; cycle_error is
+    x 100 / sqrt(area); `remark` says what is wrong.
+    """
+    unusual = outliers(model)
+    rows: list[Row] = []
+    for place, (i, key) in enumerate(zip(registered.members, registered.keys, strict=True)):
+        fit, shape = store.get("registrations", key), specimens[i].shape(store)
+        diagonal = float(shape["diagonal"])
+        errors = [error for edge, error in between.items() if i in edge]
+        row: Row = {"subject": specimens[i].name, "is_template": i == network.tree.root}
+        for name, field in (("", "distance"), ("scan_", "scan_distance")):
+            mean, p99, most = (float(x) for x in fit[field])
+            row |= {f"{name}mean_dist": mean, f"{name}p99_dist": p99, f"{name}max_dist": most}
+            row |= {f"{name}norm_mean": mean / diagonal, f"{name}norm_max": most / diagonal}
+            row |= {f"{name}p99_over_mean": p99 / mean if mean > 0 else 0.0}
+        row |= {
+            "bbox_diag": diagonal,
+            "coverage": float(fit["coverage"]),
+            "turned_triangles": float(fit["turned"]),
+            "folded_edges": float(fit["folded"]),
+            "cycle_error": float(np.median(errors)) if errors else 0.0,
+            "confidence": float(fit["confidence"].mean()),
+            "score": float(fit["score"]),
+            "outlier": float(unusual[place]),
+            "mirrored": bool(network.mirrored[i]),
+        }
+        rows.append({**row, "remark": remark(row)})
+    rows.sort(key=lambda row: (-bool(row["remark"]), -float(row["cycle_error"]), -float(row["scan_norm_mean"])))
+    reasons = {specimens[i].name: why for i, why in {**registered.failures, **network.strangers}.items()}
+    return [{"subject": name, "remark": why} for name, why in sorted({**reasons, **left_out}.items())] + rows
+
+
+def remark(row: Row) -> str:
+    """What a person should look at, as a sentence; empty where all is well."""
+    said = []
+    if row["coverage"] < SUSPECT_COVERAGE:  # type: ignore[operator]
+        said.append(f"{100 * (1 - float(row['coverage'])):.0f} % of its surface is not reached by the template")
+    if row["cycle_error"] > SUSPECT_ERROR:  # type: ignore[operator]
+        said.append("its maps to its neighbors disagree with those of the collection")
+    if row["turned_triangles"] > 0.005:  # type: ignore[operator]
+        said.append("the template's mesh is folded on it")
+    if row["outlier"] > 2.5:  # type: ignore[operator]
+        said.append("it is unlike the others")
+    if row["mirrored"]:
+        said.append("it is a mirror image of most others")
+    return "; ".join(said)
