@@ -3,6 +3,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "exit_codes.hpp"
+#include "external_command.hpp"
 #include "interrupt.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -47,8 +48,13 @@ int main(int argc, char** argv) {
     counterpart::cli::add_map(program);
     counterpart::cli::add_manual(program);
     counterpart::cli::add_view(program);
-    counterpart::cli::cancel_on_interrupt();
     const std::vector<std::string> words = counterpart::cli::words_of(argc, argv);
+    const std::string missing = counterpart::cli::run_external_command(program, words);
+    if (!missing.empty()) {
+        std::fprintf(stderr, "error: %s\n", missing.c_str());
+        return counterpart::cli::not_understood_code;
+    }
+    counterpart::cli::cancel_on_interrupt();
     try {
         program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return 0;

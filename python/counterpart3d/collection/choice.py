@@ -53,17 +53,15 @@ class Network:
         """The chosen map from a specimen to a neighbor."""
         edge = (min(i, j), max(i, j))
         family, label = self.families[edge], self.choice.label[edge]
-        return family.forward[label] if i < j else family.backward[label]
+        image: IntArray = (family.forward if i < j else family.backward)[label]
+        return image
 
     def from_root(self, shape: int) -> IntArray:
         """The map from the root's vertices, composed along the tree."""
         if shape == self.tree.root:
-            n = next(
-                len(f.forward[0]) if e[0] == shape else len(f.backward[0])
-                for e, f in self.families.items()
-                if shape in e
-            )
-            return np.arange(n, dtype=np.int32)
+            edge, family = next((edge, family) for edge, family in self.families.items() if shape in edge)
+            rows = family.forward if edge[0] == shape else family.backward
+            return np.arange(rows.shape[1], dtype=np.int32)
         return composed(self.tree, shape, self.step)
 
 

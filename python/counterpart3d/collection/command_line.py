@@ -106,7 +106,8 @@ def _make(given: argparse.Namespace) -> None:
         progress=not given.quiet,
     )
     print(
-        f"{len(found.names)} specimens in one correspondence, {len(found.left_out)} left out: {given.output}/report.html"
+        f"{len(found.names)} specimens in one correspondence, {len(found.left_out)} left out: "
+        f"{given.output}/report.html"
     )
     for name, why in found.left_out.items():
         print(f"  {name}: {why}")

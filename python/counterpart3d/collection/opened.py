@@ -13,8 +13,10 @@ import numpy as np
 
 from .. import InvalidInput, Mesh, SurfaceMap
 from .._arrays import FloatArray, IntArray
+from .addition import Base, add
 from .correspondence import nearest_vertices, positions, template_points
 from .engine import build
+from .retrieval import Answer, retrieve
 from .runner import Progress, running
 from .settings import Mirror, Pairs, Settings
 from .shapes import reflected
@@ -164,6 +166,23 @@ class Collection:
         triangle, weights, _ = nearest_points(at, begin.vertices, begin.triangles)
         result: FloatArray = np.einsum("nk,nkd->nd", weights, end.vertices[begin.triangles[triangle]])
         return result
+
+    def retrieve(self, query: PathLike, k: int = 5) -> list[Answer]:
+        """The k specimens that are most like a mesh, best first."""
+        members = {member["name"]: member["shape"] for member in self._content["members"]}
+        return retrieve(self._store, os.fspath(query), members, k)
+
+    def add(
+        self, folder: PathLike, *, scheduler: str | None = None, workers: int = 0, progress: bool = True
+    ) -> Collection:
+        """The collection with the meshes of a folder added; its mean and modes stay as they are.
+
+        Each new specimen is matched with the three that are nearest by descriptor. See `build` for the options.
+        """
+        base = Base(self.folder, self._store, self._content, self._arrays, self.model)
+        with running(scheduler, workers) as runner:
+            add(base, os.fspath(folder), runner, Progress(not progress))
+        return Collection(self.folder)
 
     def _member(self, name: str) -> dict[str, Any]:
         for member in self._content["members"]:

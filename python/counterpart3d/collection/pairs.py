@@ -52,4 +52,5 @@ def inverse(target_from_source: IntArray, target: FloatArray) -> IntArray:
     """The map back, roughly: the source vertex whose image is nearest."""
     matched = np.flatnonzero(target_from_source >= 0)
     nearest = cKDTree(target[target_from_source[matched]]).query(target)[1]
-    return matched[nearest].astype(np.int32)
+    result: IntArray = matched[nearest].astype(np.int32)
+    return result

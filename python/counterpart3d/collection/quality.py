@@ -57,7 +57,8 @@ def quality(
         rows.append({**row, "remark": remark(row)})
     rows.sort(key=lambda row: (-bool(row["remark"]), -float(row["cycle_error"]), -float(row["scan_norm_mean"])))
     reasons = {specimens[i].name: why for i, why in {**registered.failures, **network.strangers}.items()}
-    return [{"subject": name, "remark": why} for name, why in sorted({**reasons, **left_out}.items())] + rows
+    missing: list[Row] = [{"subject": name, "remark": why} for name, why in sorted({**reasons, **left_out}.items())]
+    return missing + rows
 
 
 def remark(row: Row) -> str:

@@ -52,7 +52,8 @@ def register(store: Store, template: str, specimen: str, mirrored: bool, start: 
 
 
 def nearest_vertices(points: FloatArray, scan: Mesh) -> IntArray:
-    return cKDTree(scan.vertices).query(points)[1].astype(np.int32)
+    result: IntArray = cKDTree(scan.vertices).query(points)[1].astype(np.int32)
+    return result
 
 
 def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays:

@@ -91,8 +91,8 @@ def registered_specimens(
         kept_area = area(alignment.mean, triangles) / np.mean([area(s, triangles) for s in alignment.aligned])
         if kept_area < NO_SHAPE:
             notices.append(
-                f"the shapes differ in pose: their mean has {100 * kept_area:.0f} % of their area and is no shape of its "
-                f"kind, so {specimens[root].name} stays the template"
+                f"the shapes differ in pose: their mean has {100 * kept_area:.0f} % of their area and is no shape "
+                f"of its kind, so {specimens[root].name} stays the template"
             )
         if movement[-1] < AT_REST or number == settings.rounds or kept_area < NO_SHAPE:
             break

@@ -17,7 +17,7 @@ from .. import InvalidInput
 Outcome = tuple[int, str | None]
 """Which item, and the message of its failure."""
 
-MISSING = "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]' (or dask distributed scipy)"
+MISSING = "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]'"
 
 
 class Runner(Protocol):
@@ -57,7 +57,7 @@ class OnDask:
             return futures
 
         n_threads = max(sum(self.client.nthreads().values()), 1)
-        running = as_completed(submit(4 * n_threads))
+        running = as_completed(submit(4 * n_threads))  # type: ignore[no-untyped-call]
         for future in running:
             i = number.pop(future.key)
             try:
@@ -69,7 +69,7 @@ class OnDask:
             yield i, result
             future.release()
             for new in submit(1):
-                running.add(new)
+                running.add(new)  # type: ignore[no-untyped-call]
 
 
 @contextlib.contextmanager

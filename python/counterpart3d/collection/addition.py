@@ -1,0 +1,129 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""What `--add` writes: the new specimens beside the old ones, under the model as it is."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import json
+import pathlib
+from typing import Any
+
+import numpy as np
+
+from .. import SurfaceMap, write, write_landmarks, write_map
+from .._arrays import FloatArray
+from .correspondence import positions, template_points
+from .folder import MeshFile, meshes_in
+from .joining import join, joined_key
+from .made import scattered
+from .procrustes import aligned_to, moved
+from .runner import Progress, Runner
+from .shapes import shape_key
+from .specimens import prepared_specimens
+from .statistics import Model
+from .store import Store, whole_file
+
+
+@dataclasses.dataclass(frozen=True)
+class Base:
+    """The collection that is joined."""
+
+    folder: pathlib.Path
+    store: Store
+    content: dict[str, Any]
+    arrays: dict[str, np.ndarray]
+    model: Model
+
+
+def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
+    """Register the meshes of a folder that the collection does not have, and write them and the tables.
+
+    The mean, the modes and what was written of the others stay.
+    """
+    known = {member["content"] for member in base.content["members"]}
+    names = {member["name"] for member in base.content["members"]}
+    found = meshes_in(folder)
+    files = [_renamed(file, names) for file in found.meshes if file.content not in known]
+    specimens, left_out = prepared_specimens(runner, base.store, files, progress)
+    members = [(m["shape"], m["registration"], bool(m["mirrored"])) for m in base.content["members"]]
+    template = base.content["template"]
+    items = [(base.store, template, specimen.file.content, members) for specimen in specimens]
+    left_out = {**found.left_out, **left_out}
+    joined: list[MeshFile] = []
+    progress.start()
+    for done, (i, message) in enumerate(runner.outcomes(join, items)):
+        if message is None:
+            joined.append(specimens[i].file)
+        else:
+            left_out[specimens[i].name] = message
+        progress.step("joined", done + 1, len(items))
+    _write(base, sorted(joined, key=lambda file: file.name), left_out)
+
+
+def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
+    name = file.name
+    while name in taken:
+        name += "_added"
+    return dataclasses.replace(file, name=name)
+
+
+def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None:
+    scores, sizes, matrices = [], [], []
+    for file in joined:
+        registration = str(base.store.get("joined", joined_key(base.content["template"], file.content))["registration"])
+        vertices = base.store.get("registrations", registration)["vertices"]
+        matrix = aligned_to(vertices, base.model.mean, base.model.weights, keep_size=base.content["keep_size"])
+        scores.append(base.model.project(moved(matrix, vertices)))
+        centered = vertices - base.model.weights @ vertices
+        sizes.append(float(np.sqrt(base.model.weights @ (centered**2).sum(axis=1))))
+        matrices.append(matrix)
+        _write_specimen(base, file, registration, vertices)
+    for name, rows in (("scores", scores), ("sizes", sizes), ("matrices", matrices)):
+        if rows:
+            base.arrays[name] = np.concatenate([base.arrays[name], np.stack([np.asarray(row) for row in rows])])
+    base.arrays["names"] = np.array([member["name"] for member in base.content["members"]])
+    base.content["left_out"] |= left_out
+    with whole_file(base.folder / "model.npz") as out:
+        np.savez_compressed(out, **base.arrays)
+    _extend_scores(base.folder / "scores.csv", [file.name for file in joined], sizes, scores)
+    with whole_file(base.folder / "collection.json") as out:
+        out.write(json.dumps(base.content, indent=1).encode())
+
+
+def _write_specimen(base: Base, file: MeshFile, registration: str, vertices: FloatArray) -> None:
+    triangles = base.model.triangles
+    shape, fit = base.store.get("shapes", shape_key(file.content)), base.store.get("registrations", registration)
+    write((vertices, triangles), base.folder / "meshes" / f"{file.name}.ply")
+    points = template_points(shape["vertices"], vertices, triangles, fit["template_from_scan"])
+    write_map(scattered(points, shape["used"], int(shape["n_in_file"])), base.folder / "maps" / f"{file.name}.txt")
+    marks = {
+        name: positions(SurfaceMap(np.array([p["triangle"]], np.int32), np.array([p["weights"]])), vertices, triangles)[
+            0
+        ]
+        for name, p in base.content["points"].items()
+    }
+    if marks:
+        axes = base.content["axes"] or "LPS"
+        write_landmarks(marks, base.folder / "landmarks" / f"{file.name}.mrk.json", axes=axes)
+    base.content["members"].append(
+        {
+            "name": file.name,
+            "file": file.path,
+            "content": file.content,
+            "shape": shape_key(file.content),
+            "registration": registration,
+            "mirrored": False,
+        }
+    )
+
+
+def _extend_scores(path: pathlib.Path, names: list[str], sizes: list[float], scores: list[FloatArray]) -> None:
+    with path.open(newline="") as file:
+        rows = list(csv.reader(file))
+    rows += [
+        [name, f"{size:.6g}", *(f"{x:.6g}" for x in row)] for name, size, row in zip(names, sizes, scores, strict=True)
+    ]
+    with whole_file(path) as out:
+        out.write("".join(",".join(row) + "\n" for row in rows).encode())

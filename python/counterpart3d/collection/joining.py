@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""A new specimen joins a collection, which stays as it is: O(1) pairs."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+
+import numpy as np
+
+from .._arrays import IntArray
+from .correspondence import nearest_vertices
+from .pairs import match_pair, pair_key
+from .registration import register, registration_key
+from .retrieval import nearest_by_descriptor
+from .shapes import shape_key
+from .store import Store, key_of
+
+N_NEIGHBORS = 3
+Member = tuple[str, str, bool]
+"""Keys of the `shapes` and the `registrations` of a specimen, and whether it is mirrored."""
+
+
+def join(store: Store, template: str, content: str, members: Sequence[Member]) -> str | None:
+    """Register a new specimen through the three nearest ones: the result `registrations` under `joined_key`.
+
+    Returns the message of a failure.
+    """
+    key = shape_key(content)
+    nearest = nearest_by_descriptor(store, key, [member[0] for member in members], N_NEIGHBORS)[0]
+    candidates = []
+    for i in nearest:
+        shape, registration, mirrored = members[i]
+        message = match_pair(store, shape, key, mirrored)
+        if message is not None:
+            continue
+        found = store.get("pairs", pair_key(shape, key, mirrored))
+        forward = found["forward"][found["mirrored"] == mirrored][0]
+        scan = store.get("shapes", shape)["vertices"] * ([-1, 1, 1] if mirrored else 1)
+        candidates.append(forward[nearest_vertices(store.get("registrations", registration)["vertices"], scan)])
+    if not candidates:
+        return "it could not be matched with any of the specimens nearest to it"
+    vertices = store.get("shapes", key)["vertices"]
+    image = candidates[agreed(vertices[np.stack(candidates)])]
+    start = start_key(image)
+    if store.load("starts", start) is None:
+        store.save("starts", start, {"image": image})
+    message = register(store, template, key, False, ("starts", start))
+    if message is None:
+        store.save(
+            "joined", joined_key(template, content), {"registration": np.array(_registration(template, key, start))}
+        )
+    return message
+
+
+def agreed(images: np.ndarray) -> int:
+    """Which of several maps, (k, n, 3), is nearest to the others."""
+    gaps = np.linalg.norm(images[:, None] - images[None, :], axis=-1)
+    return int(np.argmin(gaps.mean(axis=(1, 2))))
+
+
+def start_key(image: IntArray) -> str:
+    return key_of("starts", hashlib.sha256(image.tobytes()).hexdigest())
+
+
+def joined_key(template: str, content: str) -> str:
+    return key_of("joined", template, content)
+
+
+def _registration(template: str, key: str, start: str) -> str:
+    return registration_key(template, key, False, start)
