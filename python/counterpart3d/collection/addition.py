@@ -14,6 +14,7 @@ import numpy as np
 
 from .. import SurfaceMap, write, write_landmarks, write_map
 from .._arrays import FloatArray
+from .._landmarks import Axes
 from .correspondence import positions, template_points
 from .folder import MeshFile, meshes_in
 from .joining import join, joined_key
@@ -24,6 +25,7 @@ from .shapes import shape_key
 from .specimens import prepared_specimens
 from .statistics import Model
 from .store import Store, whole_file
+from .tables import write_table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -86,7 +88,7 @@ def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None
     base.arrays["names"] = np.array([member["name"] for member in base.content["members"]])
     base.content["left_out"] |= left_out
     with whole_file(base.folder / "model.npz") as out:
-        np.savez_compressed(out, **base.arrays)
+        np.savez_compressed(out, **base.arrays)  # type: ignore[arg-type]
     _extend_scores(base.folder / "scores.csv", [file.name for file in joined], sizes, scores)
     with whole_file(base.folder / "collection.json") as out:
         out.write(json.dumps(base.content, indent=1).encode())
@@ -98,14 +100,12 @@ def _write_specimen(base: Base, file: MeshFile, registration: str, vertices: Flo
     write((vertices, triangles), base.folder / "meshes" / f"{file.name}.ply")
     points = template_points(shape["vertices"], vertices, triangles, fit["template_from_scan"])
     write_map(scattered(points, shape["used"], int(shape["n_in_file"])), base.folder / "maps" / f"{file.name}.txt")
-    marks = {
-        name: positions(SurfaceMap(np.array([p["triangle"]], np.int32), np.array([p["weights"]])), vertices, triangles)[
-            0
-        ]
-        for name, p in base.content["points"].items()
-    }
+    marks = {}
+    for name, p in base.content["points"].items():
+        point = SurfaceMap(np.array([p["triangle"]], np.int32), np.array([p["weights"]]))
+        marks[name] = positions(point, vertices, triangles)[0]
     if marks:
-        axes = base.content["axes"] or "LPS"
+        axes: Axes = "RAS" if base.content["axes"] == "RAS" else "LPS"
         write_landmarks(marks, base.folder / "landmarks" / f"{file.name}.mrk.json", axes=axes)
     base.content["members"].append(
         {
@@ -122,8 +122,5 @@ def _write_specimen(base: Base, file: MeshFile, registration: str, vertices: Flo
 def _extend_scores(path: pathlib.Path, names: list[str], sizes: list[float], scores: list[FloatArray]) -> None:
     with path.open(newline="") as file:
         rows = list(csv.reader(file))
-    rows += [
-        [name, f"{size:.6g}", *(f"{x:.6g}" for x in row)] for name, size, row in zip(names, sizes, scores, strict=True)
-    ]
-    with whole_file(path) as out:
-        out.write("".join(",".join(row) + "\n" for row in rows).encode())
+    new = [[name, size, *row] for name, size, row in zip(names, sizes, scores, strict=True)]
+    write_table(path, rows[0], [*rows[1:], *new])

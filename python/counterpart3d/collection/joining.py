@@ -12,7 +12,7 @@ import numpy as np
 from .._arrays import IntArray
 from .correspondence import nearest_vertices
 from .pairs import match_pair, pair_key
-from .registration import register, registration_key
+from .registration import register
 from .retrieval import nearest_by_descriptor
 from .shapes import shape_key
 from .store import Store, key_of
@@ -48,9 +48,8 @@ def join(store: Store, template: str, content: str, members: Sequence[Member]) -
         store.save("starts", start, {"image": image})
     message = register(store, template, key, False, ("starts", start))
     if message is None:
-        store.save(
-            "joined", joined_key(template, content), {"registration": np.array(_registration(template, key, start))}
-        )
+        registration = registration_key(template, key, False, start)
+        store.save("joined", joined_key(template, content), {"registration": np.array(registration)})
     return message
 
 
@@ -66,7 +65,3 @@ def start_key(image: IntArray) -> str:
 
 def joined_key(template: str, content: str) -> str:
     return key_of("joined", template, content)
-
-
-def _registration(template: str, key: str, start: str) -> str:
-    return registration_key(template, key, False, start)
