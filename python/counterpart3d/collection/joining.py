@@ -12,7 +12,7 @@ import numpy as np
 from .._arrays import IntArray
 from .correspondence import nearest_vertices
 from .pairs import match_pair, pair_key
-from .registration import register
+from .registration import register, registration_key
 from .retrieval import nearest_by_descriptor
 from .shapes import shape_key
 from .store import Store, key_of

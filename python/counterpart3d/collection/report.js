@@ -61,7 +61,7 @@
     fill(normalBuffer, normal);
     draw();
   };
-  let yaw = 0.4, pitch = 0.25, zoom = 0.85;
+  let yaw = 0.4, pitch = 0.25, zoom = 0.9;
   const draw = () => {
     const [w, h] = [canvas.clientWidth * devicePixelRatio, canvas.clientHeight * devicePixelRatio];
     if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
@@ -69,7 +69,7 @@
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
     gl.uniformMatrix3fv(gl.getUniformLocation(program, "turn"), false, [cy, sp * sy, -cp * sy, 0, cp, sp, sy, -sp * cy, cp * cy]);
-    const least = Math.min(w, h) * zoom;
+    const least = Math.min(w, 1.6 * h) * zoom;
     gl.uniform2f(gl.getUniformLocation(program, "scale"), least / w, least / h);
     gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
     canvas.dataset.drawn = "yes";
