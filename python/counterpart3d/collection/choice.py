@@ -31,6 +31,8 @@ class Network:
     ----------
     families : dict of Edge to Family
         Of all pairs that were matched.
+    rows : dict of Edge to ndarray
+        Where each map of a family stands in the result `pairs`.
     choice : Choice
         Of those that are not held out.
     held_out : list of Edge
@@ -42,6 +44,7 @@ class Network:
     """
 
     families: Mapping[Edge, cycles.Family]
+    rows: Mapping[Edge, IntArray]
     choice: cycles.Choice
     held_out: list[Edge]
     tree: Tree
@@ -87,9 +90,9 @@ def network_of(
     if mirror:
         evidence = [(*e, _best(found, False) - _best(found, True)) for e, found in loaded.items()]
         mirrored = chirality.mirrored_shapes(len(specimens), evidence)[0]
-    families = {}
+    families, numbers = {}, {}
     for (i, j), found in loaded.items():
-        rows = found["mirrored"] == (mirrored[i] != mirrored[j])
+        rows = numbers[i, j] = np.flatnonzero(found["mirrored"] == (mirrored[i] != mirrored[j])).astype(np.int32)
         families[i, j] = cycles.Family(found["forward"][rows], found["backward"][rows], found["score"][rows])
     kept_out = graph.held_out(edges, len(specimens), settings.seed) if len(specimens) > 4 else []
     shapes = [specimen.points(store) for specimen in specimens]
@@ -97,7 +100,7 @@ def network_of(
     strangers = strangers_among(len(specimens), choice)
     allowed = np.array([i not in strangers and not mirrored[i] for i in range(len(specimens))])
     tree = spanning_tree(len(specimens), choice.corruption, allowed, root)
-    return Network(families, choice, kept_out, tree, mirrored, strangers, failures)
+    return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures)
 
 
 def pairs_to_match(store: Store, specimens: list[Specimen], settings: Settings, root: int | None) -> list[Edge]:

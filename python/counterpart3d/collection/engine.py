@@ -20,7 +20,7 @@ from .outputs import write_outputs
 from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
 from .quality import quality
 from .report import write_report
-from .rounds import Registered, registered_specimens
+from .rounds import Registered, agreed_specimens, registered_specimens
 from .runner import Progress, Runner
 from .settings import Settings
 from .specimens import Specimen, prepared_specimens
@@ -52,6 +52,7 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     network = network_of(runner, store, specimens, settings, progress, root)
     progress.say(f"{specimens[network.tree.root].name} is the template")
     registered = registered_specimens(runner, store, specimens, network, settings, progress, root if apart else None)
+    registered = agreed_specimens(runner, store, specimens, network, settings, registered, progress)
     if len(registered.members) < 2:
         raise InvalidInput(f"{folder}: fewer than two specimens could be registered; {_first(left_out)}")
     model = principal_modes(registered.alignment.aligned, registered.triangles, registered.weights)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from .. import Mesh, fit, match_spectral, project_map
+from .. import Mesh, SurfaceMap, fit, match_spectral, project_map
 from .._arrays import FloatArray, IntArray
 from .shapes import mesh_of, prepared
 from .store import Arrays, Store, compute_once, key_of
@@ -62,20 +62,25 @@ def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays
         prepared(model, store), prepared(scan, store), initial=image, n_alternatives=0, n_threads=1
     )
     points = project_map(model, scan, refined.target_from_source, n_threads=1)
-    fitted = fit(model, scan, points, n_threads=1)
-    diagonal = np.linalg.norm(np.ptp(scan.vertices, axis=0))
     return {
-        "vertices": fitted.vertices,
-        "triangle": points.triangle,
-        "weights": points.weights,
         "template_from_scan": refined.source_from_target,
         "confidence": refined.confidence.astype(np.float32),
         "score": np.array(refined.score),
-        "distance": _summary(fitted.distance),
-        "scan_distance": _summary(fitted.scan_distance),
-        "coverage": np.array((fitted.scan_distance <= NEAR * diagonal).mean()),
-        "turned": np.array(turned_triangles(model, fitted.vertices)),
-        "folded": np.array(max(fitted.folded_edges - fitted.own_folded_edges, 0)),
+        **fitted(model, scan, points),
+    }
+
+
+def fitted(model: Mesh, scan: Mesh, points: SurfaceMap) -> Arrays:
+    """The template's mesh on the specimen, smooth, and how well it lies there."""
+    found = fit(model, scan, points, n_threads=1)
+    near = NEAR * float(np.linalg.norm(np.ptp(scan.vertices, axis=0)))
+    return {
+        "vertices": found.vertices,
+        "distance": _summary(found.distance),
+        "scan_distance": _summary(found.scan_distance),
+        "coverage": np.array((found.scan_distance <= near).mean()),
+        "turned": np.array(turned_triangles(model, found.vertices)),
+        "folded": np.array(max(found.folded_edges - found.own_folded_edges, 0)),
     }
 
 

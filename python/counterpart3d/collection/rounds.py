@@ -6,12 +6,15 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
+from collections.abc import Mapping
 
 import numpy as np
 
 from .. import vertex_areas
 from .._arrays import FloatArray, IntArray
 from .choice import Network
+from .consensus import Neighbor, agree, consensus_key
+from .pairs import pair_key
 from .procrustes import Alignment, generalized_procrustes
 from .registration import register, registration_key
 from .runner import Progress, Runner
@@ -22,6 +25,7 @@ from .store import Store, key_of
 from .surfaces import area, diagonal
 
 AT_REST = 1e-3  # of the diagonal
+SOUND = 0.5  # corruption up to which a map takes part in the consensus
 NO_SHAPE = 0.9  # a mean that has lost more than a tenth of the area of the shapes
 
 
@@ -145,3 +149,45 @@ def _round(
             progress.say(f"{specimens[members[k]].name} could not be fitted: {message}")
         progress.step(what, done + 1, len(items))
     return failures
+
+
+def agreed_specimens(
+    runner: Runner,
+    store: Store,
+    specimens: list[Specimen],
+    network: Network,
+    settings: Settings,
+    found: Registered,
+    progress: Progress,
+) -> Registered:
+    """The same, each fit moved to where those of the neighbors, through the chosen maps, put it."""
+    key = dict(zip(found.members, found.keys, strict=True))
+    around = {i: [_neighbor(specimens, network, settings, key, i, j) for j in _next_to(network, key, i)] for i in key}
+    items = [
+        (store, found.template, specimens[i].key, bool(network.mirrored[i]), key[i], around[i]) for i in found.members
+    ]
+    progress.start()
+    failed = set()
+    for done, (k, message) in enumerate(runner.outcomes(agree, items)):
+        if message is not None:
+            failed.add(found.members[k])
+        progress.step("agreed", done + 1, len(items))
+    keys = [key[i] if i in failed else consensus_key(key[i], around[i]) for i in found.members]
+    shapes = np.stack([store.get("registrations", k)["vertices"] for k in keys])
+    alignment = generalized_procrustes(shapes, found.weights, keep_size=settings.same_scale)
+    return dataclasses.replace(found, keys=keys, alignment=alignment)
+
+
+def _next_to(network: Network, members: Mapping[int, str], i: int) -> list[int]:
+    """The members with a sound chosen map to this one."""
+    sound = [edge for edge, corruption in network.choice.corruption.items() if corruption <= SOUND and i in edge]
+    return [j for edge in sound for j in edge if j != i and j in members]
+
+
+def _neighbor(
+    specimens: list[Specimen], network: Network, settings: Settings, key: Mapping[int, str], i: int, j: int
+) -> Neighbor:
+    edge = (min(i, j), max(i, j))
+    pair = pair_key(specimens[edge[0]].key, specimens[edge[1]].key, settings.mirror == "auto")
+    row = int(network.rows[edge][network.choice.label[edge]])
+    return Neighbor(specimens[j].key, key[j], pair, row, edge[0] == j, bool(network.mirrored[j]))

@@ -62,6 +62,6 @@ def composed(tree: Tree, shape: int, map_between: Callable[[int, int], IntArray]
     if len(way) == 1:
         raise ValueError("the root needs no map to itself")
     image = map_between(way[0], way[1])
-    for i, j in itertools.pairwise(way):
+    for i, j in itertools.pairwise(way[1:]):
         image = map_between(i, j)[image]
     return image
