@@ -15,6 +15,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from .._arrays import FloatArray, IntArray
+from .flips import edges_of, flipped
 from .graph import Edge
 
 FAR = 0.25  # of sqrt(area): a cycle that ends farther away is as wrong as can be
@@ -72,10 +73,19 @@ def choose(families: Mapping[Edge, Family], shapes: Sequence[Points]) -> Choice:
     corruption = dict(prior)
     for beta in BETAS:
         corruption = _passed(corruption, prior, inconsistency, beta)
-    label = {edge: int(np.argmin(s + PRIOR_WEIGHT * prior[edge])) for edge, s in corruption.items()}
-    count = {edge: sum(edge in _edges(t) for t in triangles) for edge in families}
-    chosen = {edge: float(corruption[edge][label[edge]]) if count[edge] else 0.5 for edge in families}
-    return Choice(label, chosen, count)
+    settled = {edge: int(np.argmin(s + PRIOR_WEIGHT * prior[edge])) for edge, s in corruption.items()}
+    label = flipped(settled, prior, inconsistency)
+    around = {edge: [t for t in triangles if edge in edges_of(t)] for edge in families}
+    mean = {
+        edge: np.mean([inconsistency[t][tuple(label[e] for e in edges_of(t))] for t in cycles] or [0.5])
+        for edge, cycles in around.items()
+    }
+    # of the chosen map, given the chosen ones around it, among which the sound ones count most
+    one = {edge: np.array([value]) for edge, value in mean.items()}
+    fixed = {t: d[np.ix_(*([label[e]] for e in edges_of(t)))] for t, d in inconsistency.items()}
+    for beta in BETAS:
+        one = _passed(one, one, fixed, beta)
+    return Choice(label, {edge: float(s[0]) for edge, s in one.items()}, {e: len(c) for e, c in around.items()})
 
 
 def cycles_of(edges: Sequence[Edge]) -> list[tuple[int, int, int]]:
@@ -87,17 +97,12 @@ def cycles_of(edges: Sequence[Edge]) -> list[tuple[int, int, int]]:
     return [(i, j, k) for i, j in sorted(edges) for k in sorted(neighbors[i] & neighbors[j]) if k > j]
 
 
-def _edges(cycle: tuple[int, int, int]) -> tuple[Edge, Edge, Edge]:
-    i, j, k = cycle
-    return (i, j), (j, k), (i, k)
-
-
 def _inconsistency(
     cycle: tuple[int, int, int], families: Mapping[Edge, Family], shapes: Sequence[Points]
 ) -> FloatArray:
     """Mean distance, 0 .. 1, from samples of i to where they end after j and k, for each choice of three maps."""
     i = cycle[0]
-    ij, jk, ik = (families[edge] for edge in _edges(cycle))
+    ij, jk, ik = (families[edge] for edge in edges_of(cycle))
     at, samples = shapes[i].vertices, shapes[i].samples
     on_j = ij.forward[:, samples]  # a x samples
     on_k = jk.forward[:, on_j]  # b x a x samples
@@ -117,7 +122,7 @@ def _passed(
     total = {edge: np.zeros(len(s)) for edge, s in corruption.items()}
     weight = {edge: np.zeros(len(s)) for edge, s in corruption.items()}
     for cycle, d in inconsistency.items():
-        edges = _edges(cycle)
+        edges = edges_of(cycle)
         sound = [np.exp(-beta * corruption[edge]) for edge in edges]
         for axis, edge in enumerate(edges):
             first, second = (sound[k] for k in range(3) if k != axis)

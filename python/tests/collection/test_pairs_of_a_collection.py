@@ -1,0 +1,84 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""Which pairs are matched, which shapes are mirrored, and the way from the middle to each."""
+
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy")
+from counterpart3d.collection.chirality import mirrored_shapes
+from counterpart3d.collection.graph import all_pairs, held_out, medoid, pairs_in_time, sparse_pairs, spread_out
+from counterpart3d.collection.tree import composed, spanning_tree
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+
+def is_connected(n, edges):
+    i, j = np.array(edges).T
+    return connected_components(coo_matrix((np.ones(len(edges)), (i, j)), shape=(n, n)), directed=False)[0] == 1
+
+
+@pytest.mark.parametrize("n", [2, 7, 40, 200, 201, 600])
+def test_few_pairs_that_connect_all(n):
+    descriptors = np.random.default_rng(n).normal(size=(n, 5))
+    edges = sparse_pairs(descriptors, medoid(descriptors))
+    assert all(0 <= i < j < n for i, j in edges) and len(set(edges)) == len(edges)
+    assert len(edges) <= min(5 * n, n * (n - 1) // 2)
+    assert is_connected(n, edges)
+    if n >= 7:
+        assert is_connected(n, sorted(set(edges) - set(held_out(edges, n))))
+    assert edges == sparse_pairs(descriptors, medoid(descriptors))
+
+
+def test_a_tenth_is_held_out():
+    descriptors = np.random.default_rng(0).normal(size=(60, 5))
+    edges = sparse_pairs(descriptors, 0)
+    out = held_out(edges, 60)
+    assert set(out) <= set(edges) and 0.08 < len(out) / len(edges) < 0.12
+
+
+def test_frames_are_matched_with_those_near_in_time_and_key_frames():
+    edges = pairs_in_time(50)
+    assert {(i, i + 1) for i in range(49)} <= set(edges)
+    assert len(edges) < 4 * 50 and is_connected(50, edges)
+    assert any(j - i > 8 for i, j in edges)
+
+
+def test_anchors_are_spread():
+    points = np.random.default_rng(0).normal(size=(300, 2))
+    anchors = spread_out(points, 48, 0)
+    assert len(set(anchors)) == 48
+    gaps = np.linalg.norm(points[anchors][:, None] - points[anchors][None], axis=2) + 9 * np.eye(48)
+    assert gaps.min() >= np.linalg.norm(points[:, None] - points[anchors][None], axis=2).min(axis=1).max()
+
+
+@pytest.mark.parametrize("share", [0.0, 0.2, 0.4])
+def test_planted_mirror_images_are_found_among_wrong_evidence(share):
+    random = np.random.default_rng(7)
+    n, planted = 20, np.zeros(20, bool)
+    planted[random.choice(20, int(share * 20), replace=False)] = True
+    evidence = []
+    for i, j in all_pairs(n):
+        if random.random() < 0.4:
+            right = 1 if planted[i] == planted[j] else -1
+            evidence.append((i, j, right * 0.08 * (-1 if random.random() < 0.12 else 1)))
+    found, certainty = mirrored_shapes(n, evidence)
+    assert np.array_equal(found, planted)
+    assert certainty.min() >= 0.5 and certainty.mean() > 0.8
+
+
+def test_the_way_avoids_corrupt_maps():
+    corruption = {(0, 1): 0.1, (1, 2): 0.1, (0, 2): 0.9, (2, 3): 0.1}
+    tree = spanning_tree(5, corruption, np.ones(5, bool))
+    assert tree.root in (1, 2) and np.isinf(tree.cost[4]) and tree.parent[4] == -1
+    from_zero = spanning_tree(5, corruption, np.ones(5, bool), root=0)
+    assert from_zero.parent[:4].tolist() == [-1, 0, 1, 2]
+
+
+def test_maps_are_composed_in_order():
+    random = np.random.default_rng(1)
+    order = [random.permutation(30) for _ in range(4)]
+    tree = spanning_tree(4, {(0, 1): 0.1, (1, 2): 0.1, (2, 3): 0.1}, np.ones(4, bool), root=0)
+    to = lambda i, j: np.argsort(order[j])[order[i]]  # noqa: E731
+    for shape in (1, 2, 3):
+        np.testing.assert_array_equal(composed(tree, shape, to), to(0, shape))
