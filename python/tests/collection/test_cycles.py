@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
+from counterpart3d.collection.choice import strangers_among
 from counterpart3d.collection.cycles import Family, Points, _inconsistency, choose, cycles_of
 from counterpart3d.collection.flips import flipped
 from counterpart3d.collection.graph import all_pairs
@@ -110,6 +111,18 @@ def test_no_other_choice_is_better(seed):
     own = total(found.label, families, shapes), lost(found.label, families)
     for label in every:  # none is better in both respects
         assert total(label, families, shapes) >= 0.95 * own[0] or lost(label, families) > own[1] + 1e-9
+
+
+def test_a_stranger_is_told():
+    """All maps of one shape lead anywhere."""
+    families, shapes, _ = planted(7, 3)
+    random = np.random.default_rng(1)
+    for (i, j), f in families.items():
+        if 4 in (i, j):
+            families[i, j] = Family(random.permuted(f.forward, axis=1), random.permuted(f.backward, axis=1), f.score)
+    found = choose(families, shapes)
+    assert list(strangers_among(7, found)) == [4]
+    assert strangers_among(7, choose(*planted(7, 3)[:2])) == {}
 
 
 def test_pairs_on_no_cycle_keep_their_best_map():

@@ -1,0 +1,242 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""From a folder to registered meshes, modes, landmarks and tables."""
+
+import csv
+import json
+import os
+import shutil
+
+import counterpart3d as cp
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy")
+from counterpart3d.collection import Collection
+from counterpart3d.collection.command_line import collection as command
+from counterpart3d.collection.command_line import retrieve as retrieve_command
+from counterpart3d.collection.surfaces import nearest_points
+
+from .conftest import write_family
+
+QUICK = {"scheduler": "inline", "progress": False}
+NAMES = [f"shape{i}" for i in range(6)]
+
+
+@pytest.fixture(scope="module")
+def made(folder, tmp_path_factory):
+    """The collection of the folder, with landmarks that were set on one specimen."""
+    root = tmp_path_factory.mktemp("made")
+    path, truth, scores = folder
+    mesh = cp.read(path / "shape2.ply")
+    marks = {f"m{v}": mesh.vertices[truth["shape2"][v]] for v in (0, 17, 80, 140)}
+    cp.write_landmarks(marks, root / "shape2.mrk.json", axes="LPS")
+    found = Collection.build(path, root / "out", landmarks=root / "shape2.mrk.json", semi=12, rounds=2, **QUICK)
+    return found, path, truth, scores
+
+
+def test_as_many_come_out_as_went_in_or_it_says_why(made):
+    found, path, *_ = made
+    assert found.names == NAMES
+    assert {*found.names, *found.left_out} == {file.stem for file in path.iterdir()}
+    said = {"empty": "empty", "broken": "broken.off:4", "twin": "shape3", "tet": "20"}
+    for name, words in said.items():
+        assert words in found.left_out[name], found.left_out[name]
+
+
+def test_maps_are_right(made):
+    found, path, truth, _ = made
+    errors = []
+    for a, b in [(0, 1), (1, 5), (5, 2), (3, 4), (4, 0)]:
+        image = found.map(NAMES[a], NAMES[b])
+        mesh = cp.read(path / f"{NAMES[b]}.ply")
+        gap = mesh.vertices[image[truth[NAMES[a]]]] - mesh.vertices[truth[NAMES[b]]]
+        errors.append(np.linalg.norm(gap, axis=1).mean() / np.sqrt(cp.vertex_areas(mesh).sum()))
+    assert np.mean(errors) < 0.01
+
+
+def test_registered_meshes_lie_on_the_specimens_in_their_own_frames(made):
+    found, path, *_ = made
+    for name in NAMES:
+        own, fitted = cp.read(path / f"{name}.ply"), cp.read(found.folder / "meshes" / f"{name}.ply")
+        assert np.array_equal(fitted.triangles, found.model.triangles)
+        np.testing.assert_allclose(fitted.vertices, found.mesh(name).vertices, rtol=1e-5, atol=1e-5)
+        distance = nearest_points(fitted.vertices, own.vertices, own.triangles)[2]
+        assert distance.mean() < 0.003 * np.linalg.norm(np.ptp(own.vertices, axis=0))
+
+
+def test_planted_modes_are_recovered(made):
+    found, _, _, scores = made
+    assert found.model.variances[:2].sum() > 0.97 * found.model.variances.sum()
+    centered = scores - scores.mean(axis=0)
+    ours = found.model.scores[:, :2]
+    predicted = ours @ np.linalg.lstsq(ours, centered, rcond=None)[0]
+    for k in range(2):
+        assert np.corrcoef(predicted[:, k], centered[:, k])[0, 1] > 0.98
+
+
+def test_landmarks_are_carried(made):
+    found, path, truth, _ = made
+    for name in NAMES:
+        mesh = cp.read(path / f"{name}.ply")
+        marks = cp.read_landmarks(found.folder / "landmarks" / f"{name}.mrk.json")
+        assert marks.axes == "LPS" and len(marks.points) == 4 + 12
+        size = np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+        for v in (0, 17, 80, 140):
+            assert np.linalg.norm(marks.points[f"m{v}"] - mesh.vertices[truth[name][v]]) < 0.05 * size
+    tps = (found.folder / "landmarks.tps").read_text()
+    assert tps.count("LM3=16") == 6 and "ID=shape5" in tps
+    point = cp.read_landmarks(found.folder / "landmarks" / "shape2.mrk.json").points["m17"]
+    carried = found.carry(point, "shape2", "shape4")[0]
+    expected = cp.read_landmarks(found.folder / "landmarks" / "shape4.mrk.json").points["m17"]
+    np.testing.assert_allclose(carried, expected, atol=1e-3 * np.abs(expected).max())
+
+
+def test_tables(made):
+    found, *_ = made
+    rows = {row["subject"]: row for row in csv.DictReader((found.folder / "quality.csv").open(newline=""))}
+    columns = {"mean_dist", "p99_over_mean", "coverage", "cycle_error", "turned_triangles", "confidence"}
+    assert columns <= set(rows["ring"])
+    assert all(float(rows[name]["coverage"]) > 0.95 for name in NAMES)
+    assert "distinct" in rows["tet"]["remark"] and rows["tet"]["mean_dist"] == ""
+    scores = {row["subject"]: row for row in csv.DictReader((found.folder / "scores.csv").open(newline=""))}
+    np.testing.assert_allclose([float(scores[n]["PC1"]) for n in NAMES], found.model.scores[:, 0], rtol=1e-4)
+    assert found.measures["held_out_pairs"] >= 1 and found.measures["held_out_cycle_error"] < 3
+    assert found.measures["generalization"] > 0 and found.measures["specificity"] > 0
+
+
+def test_shapeworks_project(made):
+    found, *_ = made
+    folder = found.folder / "shapeworks"
+    data = json.loads((folder / "collection.swproj").read_text())["data"]
+    assert [entry["name"] for entry in data] == NAMES
+    for entry in data:
+        assert (folder / entry["shape_1"]).exists()
+        local, world = (np.loadtxt(folder / entry[f"{kind}_particles_1"]) for kind in ("local", "world"))
+        matrix = np.array(entry["alignment_1"].split(), float).reshape(4, 4)
+        np.testing.assert_allclose(local @ matrix[:3, :3].T + matrix[:3, 3], world, atol=1e-5)
+
+
+def files_of(root):
+    return {path: (path.stat().st_mtime_ns, path.read_bytes()) for path in root.rglob("*") if path.is_file()}
+
+
+def rebuilt(made, tmp_path, **settings):
+    """Another collection of the same folder, from a copy of what was computed for the first."""
+    shutil.copytree(made[0].folder / "work", tmp_path / "out" / "work", copy_function=shutil.copy2)
+    return Collection.build(made[1], tmp_path / "out", **{"rounds": 2, **settings}, **QUICK)
+
+
+def test_nothing_is_computed_twice_and_damage_is_mended(made, tmp_path):
+    rebuilt(made, tmp_path)
+    before = files_of(tmp_path)
+    pairs = sorted((tmp_path / "out" / "work" / "pairs").iterdir())
+    fits = sorted((tmp_path / "out" / "work" / "registrations").iterdir())
+    for path in (*pairs[2:], *fits[1:]):  # not made again
+        assert before[path][0] == (made[0].folder / path.relative_to(tmp_path / "out")).stat().st_mtime_ns
+    pairs[0].write_bytes(b"")
+    pairs[1].unlink()
+    os.truncate(fits[0], 100)
+    Collection.build(made[1], tmp_path / "out", rounds=2, **QUICK)
+    assert {f: content for f, (_, content) in files_of(tmp_path).items()} == {f: c for f, (_, c) in before.items()}
+
+
+def test_mirror_images_are_found(tmp_path):
+    truth, _ = write_family(tmp_path / "in", 5, mirrored=(1, 4))
+    found = Collection.build(tmp_path / "in", tmp_path / "out", mirror="auto", rounds=1, **QUICK)
+    rows = csv.DictReader((found.folder / "quality.csv").open(newline=""))
+    assert {row["subject"] for row in rows if row["mirrored"] == "true"} == {"shape1", "shape4"}
+    for a, b in [("shape1", "shape0"), ("shape0", "shape4"), ("shape1", "shape4")]:
+        mesh = cp.read(tmp_path / "in" / f"{b}.ply")
+        gap = mesh.vertices[found.map(a, b)[truth[a]]] - mesh.vertices[truth[b]]
+        assert np.linalg.norm(gap, axis=1).mean() < 0.02 * np.linalg.norm(np.ptp(mesh.vertices, axis=0))
+    mirrored = found.mesh("shape1")
+    own = cp.read(tmp_path / "in" / "shape1.ply")
+    assert nearest_points(mirrored.vertices, own.vertices, own.triangles)[2].max() < 0.1
+    normals = cp.vertex_normals(mirrored)
+    assert ((mirrored.vertices - mirrored.vertices.mean(axis=0)) * normals).sum(axis=1).mean() > 0
+
+
+def test_a_template_gives_its_triangles(made, tmp_path):
+    template = cp.subdivide(cp.deform(cp.make_icosphere(2), warp=0.3, seed=2))
+    cp.write((template.vertices * [1, 1.4, 0.8], template.triangles), tmp_path / "model.ply")
+    found = rebuilt(made, tmp_path, template=tmp_path / "model.ply", rounds=1)
+    assert np.array_equal(found.model.triangles, template.triangles)
+    assert found.names == NAMES
+
+
+def test_size_belongs_to_the_shape_on_request(made, tmp_path):
+    with_size = rebuilt(made, tmp_path, same_scale=True, rounds=1)
+    assert with_size.model.variances[0] > 3 * made[0].model.variances[0]  # sizes differ by up to four
+
+
+def test_a_query_finds_itself(made, tmp_path):
+    found, path, *_ = made
+    mesh, _ = cp.shuffle(cp.move_at_random(path / "shape5.ply", 99), 98)
+    cp.write(mesh, tmp_path / "query.ply")
+    answers = found.retrieve(tmp_path / "query.ply", 3)
+    assert answers[0].name == "shape5" and len(answers) == 3
+    assert answers[0].score >= answers[1].score >= answers[2].score
+    file = tmp_path / "answer.json"
+    assert (
+        retrieve_command([str(tmp_path / "query.ply"), "--in", str(found.folder), "-k", "1", "--report", str(file)])
+        == 0
+    )
+    assert json.loads(file.read_text())[0]["name"] == "shape5"
+
+
+def test_new_specimens_join(made, tmp_path):
+    path = made[1]
+    old = rebuilt(made, tmp_path, semi=5)
+    before = files_of(tmp_path / "out" / "meshes")
+    truth, _ = write_family(tmp_path / "new", 2, seed=5)
+    found = old.add(tmp_path / "new", **QUICK)
+    assert found.names == [*NAMES, "new0", "new1"]
+    assert {f: c for f, c in files_of(tmp_path / "out" / "meshes").items() if f in before} == before
+    assert np.array_equal(found.model.mean, old.model.mean)
+    rebuilt = found.model.shape(found.model.scores[-1])
+    matrix = found._arrays["matrices"][-1]
+    aligned = found.mesh("new1").vertices @ matrix[:3, :3].T + matrix[:3, 3]
+    size = np.linalg.norm(np.ptp(aligned, axis=0))
+    assert np.linalg.norm(rebuilt - aligned, axis=1).mean() < 0.01 * size
+    mesh = cp.read(tmp_path / "new" / "new0.ply")
+    image = found.map("new0", "shape0")
+    target = cp.read(path / "shape0.ply")
+    gap = target.vertices[image[truth["new0"]]] - target.vertices[made[2]["shape0"]]
+    assert np.linalg.norm(gap, axis=1).mean() < 0.02 * np.linalg.norm(np.ptp(target.vertices, axis=0))
+    assert mesh.n_vertices == len(image)
+    assert (tmp_path / "out" / "landmarks" / "new1.mrk.json").exists()
+    assert len((tmp_path / "out" / "scores.csv").read_text().splitlines()) == 9
+    again = found.add(tmp_path / "new", **QUICK)
+    assert again.names == found.names
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["none", "-o", "out"], "no such folder"),
+        (["one", "-o", "out"], "two meshes or more"),
+        (["one", "-o", "out", "--rounds", "0"], "rounds must be 1 .. 10"),
+        (["one", "-o", "out", "--landmarks", "lost.mrk.json"], "lost.mrk.json"),
+        (["one", "-o", "out", "--template", "lost.ply"], "lost.ply"),
+        (["one", "-o", "none", "--add"], "no finished collection"),
+        (["one", "-o", "out", "--add", "--semi", "4"], "--semi is not used with --add"),
+        (["one", "-o", "out", "--sequence", "--pairs", "all"], "say one"),
+        (["one", "-o", "out", "--scheduler", "nonsense://x"], "no Dask scheduler answers"),
+    ],
+)
+def test_what_cannot_be_done_is_refused_in_a_line(arguments, words, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "one").mkdir()
+    cp.write(cp.make_icosphere(1), tmp_path / "one" / "ball.ply")
+    inline = [] if "--scheduler" in arguments else ["--scheduler", "inline"]
+    assert command([*arguments, "-q", *inline]) == 1
+    said = capsys.readouterr().err
+    assert words in said and said.startswith("error: ") and said.count("\n") == 1
+
+
+def test_landmarks_of_no_specimen_are_refused_before_the_work(folder, tmp_path):
+    cp.write_landmarks({"a": [0, 0, 0]}, tmp_path / "nobody.mrk.json", axes="LPS")
+    with pytest.raises(cp.InvalidInput, match="nobody"):
+        Collection.build(folder[0], tmp_path / "out", landmarks=tmp_path / "nobody.mrk.json", **QUICK)
+    assert not (tmp_path / "out").exists()

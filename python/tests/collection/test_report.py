@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+"""The report, opened in a browser."""
+
+import re
+import shutil
+import subprocess
+
+import pytest
+
+pytest.importorskip("scipy")
+from counterpart3d.collection import Collection
+
+from .conftest import write_family
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory):
+    root = tmp_path_factory.mktemp("report")
+    write_family(root / "in", 4)
+    (root / "in" / "<b>&amp;.ply").write_bytes(b"ply")
+    Collection.build(root / "in", root / "out", rounds=1, scheduler="inline", progress=False)
+    return root / "out" / "report.html"
+
+
+def test_it_needs_nothing_else(report):
+    text = report.read_text()
+    assert not re.findall(r"""(?:src|href)=["'](?!data:)|url\(|https?://(?!www\.w3\.org)|@import""", text)
+    assert text.count("<figure") == 4 and text.count("data:image/png;base64,") == 4
+    assert "<b>&amp;" not in text and "&lt;b&gt;&amp;amp;" in text
+    assert "$" not in re.sub(r"\$\{", "", text)
+
+
+def test_it_opens_in_a_browser(report):
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if not browser:
+        pytest.skip("needs chromium")
+    options = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    wait = ["--virtual-time-budget=4000", "--dump-dom"]
+    for width in (1200, 390):
+        page = subprocess.run(
+            [
+                browser,
+                *options,
+                f"--window-size={width},900",
+                "--virtual-time-budget=4000",
+                "--dump-dom",
+                report.as_uri(),
+            ],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=True,
+        ).stdout
+        assert 'data-drawn="yes"' in page or "no WebGL" in page
+        assert page.count("<circle") == 4
