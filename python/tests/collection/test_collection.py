@@ -194,11 +194,11 @@ def test_new_specimens_join(made, tmp_path):
     assert found.names == [*NAMES, "new0", "new1"]
     assert {f: c for f, c in files_of(tmp_path / "out" / "meshes").items() if f in before} == before
     assert np.array_equal(found.model.mean, old.model.mean)
-    rebuilt = found.model.shape(found.model.scores[-1])
+    predicted = found.model.shape(found.model.scores[-1])
     matrix = found._arrays["matrices"][-1]
     aligned = found.mesh("new1").vertices @ matrix[:3, :3].T + matrix[:3, 3]
     size = np.linalg.norm(np.ptp(aligned, axis=0))
-    assert np.linalg.norm(rebuilt - aligned, axis=1).mean() < 0.01 * size
+    assert np.linalg.norm(predicted - aligned, axis=1).mean() < 0.01 * size
     mesh = cp.read(tmp_path / "new" / "new0.ply")
     image = found.map("new0", "shape0")
     target = cp.read(path / "shape0.ply")

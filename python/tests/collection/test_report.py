@@ -38,19 +38,7 @@ def test_it_opens_in_a_browser(report):
     options = ["--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
     wait = ["--virtual-time-budget=4000", "--dump-dom"]
     for width in (1200, 390):
-        page = subprocess.run(
-            [
-                browser,
-                *options,
-                f"--window-size={width},900",
-                "--virtual-time-budget=4000",
-                "--dump-dom",
-                report.as_uri(),
-            ],
-            capture_output=True,
-            text=True,
-            timeout=120,
-            check=True,
-        ).stdout
+        command = [browser, *options, *wait, f"--window-size={width},900", report.as_uri()]
+        page = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
         assert 'data-drawn="yes"' in page or "no WebGL" in page
         assert page.count("<circle") == 4
