@@ -90,6 +90,8 @@ def network_of(
     if mirror:
         evidence = [(*e, _best(found, False) - _best(found, True)) for e, found in loaded.items()]
         mirrored = chirality.mirrored_shapes(len(specimens), evidence)[0]
+        if root is not None and mirrored[root]:
+            mirrored = ~mirrored  # the template is as it is
     families, numbers = {}, {}
     for (i, j), found in loaded.items():
         rows = numbers[i, j] = np.flatnonzero(found["mirrored"] == (mirrored[i] != mirrored[j])).astype(np.int32)

@@ -78,14 +78,16 @@ def measured(made: Made) -> dict[str, Any]:
         "left_out": len(made.quality) - len(made.registered.members),
         "pairs_matched": len(made.network.families),
         "pairs_failed": len(made.network.failures),
-        "held_out_pairs": len(held_out),
-        "held_out_cycle_error": float(np.median(held_out)) if held_out else float("nan"),
-        "cycle_error": float(np.median(seen)) if seen else float("nan"),
         "rounds": len(made.registered.movement),
         "last_movement_of_the_mean": made.registered.movement[-1],
         "modes_for_95_percent": int(np.searchsorted(share, 0.95) + 1) if len(share) else 0,
         "specificity": float(specific.mean()),
     }
+    result["held_out_pairs"] = len(held_out)
+    if held_out:
+        result["held_out_cycle_error"] = float(np.median(held_out))
+    if seen:
+        result["cycle_error"] = float(np.median(seen))
     if len(aligned) > 2:
         result["generalization"] = float(generalization(aligned, made.model).mean())
     return result

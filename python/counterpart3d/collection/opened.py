@@ -132,6 +132,10 @@ class Collection:
         """The mean shape."""
         return Mesh(self.model.mean, self.model.triangles)
 
+    def file(self, name: str) -> str:
+        """The file that a specimen was read from."""
+        return str(self._member(name)["file"])
+
     def mesh(self, name: str) -> Mesh:
         """The template's mesh on a specimen, in its own frame."""
         member = self._member(name)

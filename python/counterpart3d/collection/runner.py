@@ -63,6 +63,8 @@ class OnDask:
             try:
                 result = future.result()
             except Exception as error:
+                if "Cancelled" in type(error).__name__:
+                    raise ConnectionError("the scheduler was lost") from None
                 if type(error).__name__ != "KilledWorker":
                     raise
                 result = "the process that worked on it died again and again: there may not be enough memory"
