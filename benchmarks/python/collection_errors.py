@@ -41,8 +41,8 @@ def dense_error(collection: Collection, truth: pathlib.Path, a: str, b: str) -> 
     begin, end = (np.loadtxt(truth / f"{name}.vts", dtype=int) - 1 for name in (a, b))
     some = np.linspace(0, len(begin) - 1, min(len(begin), 1000)).astype(int)
     pairs = np.column_stack([begin[some], end[some]])
-    meshes = (cp.read(collection.file(name)) for name in (a, b))
-    return float(cp.evaluate(*meshes, collection.map(a, b), pairs, n_threads=1).mean_error)
+    source, target = (cp.read(collection.file(name)) for name in (a, b))
+    return float(cp.evaluate(source, target, collection.map(a, b), pairs, n_threads=1).mean_error)
 
 
 def landmark_error(collection: Collection, truth: pathlib.Path, a: str, b: str) -> float:
@@ -53,7 +53,7 @@ def landmark_error(collection: Collection, truth: pathlib.Path, a: str, b: str) 
     return float(np.linalg.norm(carried - [end[name] for name in both], axis=1).mean())
 
 
-def landmarks(truth: pathlib.Path, name: str) -> dict[str, np.ndarray]:
+def landmarks(truth: pathlib.Path, name: str) -> dict[str, cp.FloatArray]:
     file = truth / f"{name}.mrk.json"
     return dict(cp.read_landmarks(file if file.exists() else truth / f"{name}.json").points)
 

@@ -21,6 +21,7 @@ from .store import Store
 from .tree import Tree, composed, spanning_tree
 
 STRANGE = 0.5  # corruption: maps that lead nowhere
+DOUBTFUL = 0.4  # of the usual confidence
 
 
 @dataclasses.dataclass(frozen=True)
@@ -99,7 +100,8 @@ def network_of(
     kept_out = graph.held_out(edges, len(specimens), settings.seed) if len(specimens) > 4 else []
     shapes = [specimen.points(store) for specimen in specimens]
     choice = cycles.choose({e: f for e, f in families.items() if e not in kept_out}, shapes)
-    strangers = strangers_among(len(specimens), choice)
+    confidence = {edge: float(loaded[edge]["confidence"][rows].max()) for edge, rows in numbers.items() if len(rows)}
+    strangers = strangers_among(len(specimens), choice, confidence)
     allowed = np.array([i not in strangers and not mirrored[i] for i in range(len(specimens))])
     tree = spanning_tree(len(specimens), choice.corruption, allowed, root)
     return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures)
@@ -117,17 +119,24 @@ def pairs_to_match(store: Store, specimens: list[Specimen], settings: Settings, 
     return graph.sparse_pairs(descriptors, center, settings.seed)
 
 
-def strangers_among(n: int, choice: cycles.Choice) -> dict[int, str]:
-    """Specimens all of whose maps disagree with those around them."""
+def strangers_among(n: int, choice: cycles.Choice, confidence: Mapping[Edge, float]) -> dict[int, str]:
+    """Specimens all of whose maps disagree with those around them, or are far less confident than is usual here."""
     if n < 4:
         return {}
-    least = np.full(n, np.inf)
-    for (i, j), corruption in choice.corruption.items():
-        least[[i, j]] = np.minimum(least[[i, j]], corruption)
-    bad = np.flatnonzero(~(least <= STRANGE))
-    if len(bad) * 2 >= n:
-        return {}
-    return {int(i): "does not belong: no map to or from it agrees with the maps between the others" for i in bad}
+    least, most = np.full(n, np.inf), np.zeros(n)
+    for edge, corruption in choice.corruption.items():
+        least[list(edge)] = np.minimum(least[list(edge)], corruption)
+    for edge, value in confidence.items():
+        most[list(edge)] = np.maximum(most[list(edge)], value)
+    found = {
+        int(i): "no map to or from it agrees with the maps between the others" for i in np.flatnonzero(least > STRANGE)
+    }
+    doubtful = np.flatnonzero(most < DOUBTFUL * np.median(most))
+    found |= {
+        int(i): f"its best map has a confidence of {most[i]:.2f}, where {np.median(most):.2f} is usual"
+        for i in doubtful
+    }
+    return {} if 2 * len(found) >= n else {i: f"does not belong: {why}" for i, why in found.items()}
 
 
 def _best(found: Mapping[str, np.ndarray], mirrored: bool) -> float:

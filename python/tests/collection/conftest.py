@@ -35,10 +35,10 @@ def write_family(folder, n=6, seed=0, mirrored=()):
 
 @pytest.fixture(scope="session")
 def folder(tmp_path_factory):
-    """Six shapes that belong together, and files that cannot be used."""
+    """Six shapes that belong together, one that does not, and files that cannot be used."""
     folder = tmp_path_factory.mktemp("folder") / "shapes"
     truth, scores = write_family(folder)
-    cp.write(cp.make_torus(24, 12), folder / "ring.ply")
+    cp.write(cp.make_torus(12, 6), folder / "ring.ply")
     cp.write(
         ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]), folder / "tet.off"
     )

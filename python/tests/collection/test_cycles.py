@@ -120,9 +120,12 @@ def test_a_stranger_is_told():
     for (i, j), f in families.items():
         if 4 in (i, j):
             families[i, j] = Family(random.permuted(f.forward, axis=1), random.permuted(f.backward, axis=1), f.score)
-    found = choose(families, shapes)
-    assert list(strangers_among(7, found)) == [4]
-    assert strangers_among(7, choose(*planted(7, 3)[:2])) == {}
+    sure = dict.fromkeys(families, 0.9)
+    assert list(strangers_among(7, choose(families, shapes), sure)) == [4]
+    good = choose(*planted(7, 3)[:2])
+    assert strangers_among(7, good, sure) == {}
+    doubtful = {edge: 0.1 if 2 in edge else 0.9 for edge in families}
+    assert list(strangers_among(7, good, doubtful)) == [2]
 
 
 def test_pairs_on_no_cycle_keep_their_best_map():
