@@ -39,6 +39,6 @@ def test_it_opens_in_a_browser(report):
     wait = ["--virtual-time-budget=4000", "--dump-dom"]
     for width in (1200, 390):
         command = [browser, *options, *wait, f"--window-size={width},900", report.as_uri()]
-        page = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+        page = subprocess.run(command, capture_output=True, text=True, timeout=600, check=True).stdout
         assert 'data-drawn="yes"' in page or "no WebGL" in page
         assert page.count("<circle") == 4
