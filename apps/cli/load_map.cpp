@@ -7,7 +7,6 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/map/project.hpp>
-#include <counterpart/match/compare.hpp>
 
 #include <utility>
 #include <variant>
@@ -77,7 +76,8 @@ std::string caution(const Json& report) {
 }
 
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
-    if (landmarks.empty() && same_order(pair.source, pair.target)) {
+    if (landmarks.empty() && pair.source.n_vertices() == pair.target.n_vertices() &&
+        pair.source.triangles == pair.target.triangles) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
         return {identity_map(pair.source.n_vertices())};
     }

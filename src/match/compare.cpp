@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/compare/geometry.hpp"
-#include "match/differences/lengths_fit.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/compare.hpp>
@@ -18,7 +17,8 @@ void compare_connectivity(MeshView source, MeshView target, MeshComparison& resu
     const auto add = [&](MessageCode code, std::string sentence) {
         result.messages.push_back({code, Severity::notice, std::move(sentence)});
     };
-    result.same_order = counterpart::same_order(source, target);
+    result.same_order = source.n_vertices() == target.n_vertices() &&
+                        source.n_triangles() == target.n_triangles() && source.triangles == target.triangles;
     if (result.same_order)
         add(MessageCode::same_order, "the same triangles in the same order: vertex i is vertex i");
     try {
@@ -43,12 +43,6 @@ void compare_connectivity(MeshView source, MeshView target, MeshComparison& resu
 }
 
 }  // namespace
-
-bool same_order(MeshView source, MeshView target) {
-    return source.n_vertices() == target.n_vertices() && source.n_triangles() == target.n_triangles() &&
-           source.triangles == target.triangles &&
-           differences::lengths_fit(identity_map(source.n_vertices()), source, target);
-}
 
 MeshComparison compare(MeshView source, MeshView target) {
     require_valid(source);

@@ -15,7 +15,7 @@ namespace counterpart {
 struct MeshComparison {
     MeshReport source, target;              ///< counts, components, openness, defects, size
     std::optional<bool> same_connectivity;  ///< unknown where a non-manifold mesh fits in too many ways
-    bool same_order = false;                ///< vertex i is vertex i: see the function below
+    bool same_order = false;                ///< the same triangles, so that vertex i is vertex i
     std::optional<bool> mirrored;           ///< where the connectivity is the same
     bool source_inside_out = false, target_inside_out = false;  ///< closed, and wound inward
     double scale = 1;                     ///< size of the target over that of the source, by their boxes
@@ -26,11 +26,6 @@ struct MeshComparison {
     double same_places = 0;
     std::vector<Message> messages;  ///< all of it that spoils maps or helps to choose a method, gravest first
 };
-
-/// Whether vertex i is vertex i: the triangles are the same in the same order, and their edges agree in
-/// length better than chance makes them on a mesh that is regular, as two depth images of one size are. O(F
-/// log F).
-bool same_order(MeshView source, MeshView target);
 
 /// What two meshes have in common, to be known before they are matched. O((V + F) log F), and what
 /// match_exact costs. Throws InvalidInput for invalid meshes.

@@ -95,6 +95,7 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
         yield ThisProcess()
         return
     try:
+        import dask
         import distributed
     except ImportError:
         raise InvalidInput(MISSING) from None
@@ -107,7 +108,10 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
             yield OnDask(client)
         return
     count = workers or len(os.sched_getaffinity(0))
+    # A worker holds one task: one that dies takes no other with it.
+    settings = dask.config.set({"distributed.scheduler.worker-saturation": 1.0})
     with (
+        settings,
         distributed.LocalCluster(  # type: ignore[no-untyped-call]
             n_workers=count, threads_per_worker=1, dashboard_address=":0", silence_logs=50
         ) as cluster,

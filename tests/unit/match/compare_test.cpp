@@ -8,8 +8,6 @@
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 namespace counterpart {
@@ -35,27 +33,6 @@ TEST(Compare, AMeshWithItselfHasAllInCommon) {
     EXPECT_EQ(found.same_places, 1);
     EXPECT_EQ(found.source.n_vertices, compared.n_vertices());
     EXPECT_EQ(gravest(found.messages), Severity::notice) << lines_of(found.messages);
-}
-
-// A depth image of so many columns and rows: a bump in the middle or at a side.
-TriangleMesh depth_image(double bump_at) {
-    TriangleMesh grid = make_grid(40, 40);
-    const double size = grid.vertices.col(0).maxCoeff();
-    for (Index v = 0; v < grid.n_vertices(); ++v) {
-        const Eigen::RowVector3d p = grid.vertices.row(v) / size;
-        grid.vertices(v, 2) =
-            0.4 * size * std::exp(-20 * (std::pow(p.x() - bump_at, 2) + std::pow(p.y() - 0.5, 2)));
-    }
-    return grid;
-}
-
-TEST(Compare, DepthImagesOfOneSizeHaveTheirTrianglesInCommonNotTheirOrder) {
-    const TriangleMesh first = depth_image(0.2), second = depth_image(0.75);
-    ASSERT_EQ(first.triangles, second.triangles);
-    EXPECT_FALSE(same_order(first, second));
-    EXPECT_TRUE(same_order(first, first));
-    EXPECT_TRUE(same_order(first, deform(first, {.bend = 0.5})));
-    EXPECT_TRUE(same_order(compared, deform(compared, {.bend = 1.0, .twist = 0.5})));
 }
 
 TEST(Compare, AnotherOrderIsAnotherOrder) {
