@@ -184,7 +184,7 @@ assert carried.keys() == b.keys(), carried
 assert all(abs(x - y) < 1e-3 for n in b for x, y in zip(b[n], carried[n])), (b, carried)
 END
 refuse 1 "LPS or RAS" landmarks body.off pose.off a.csv --map marked.txt -o none.mrk.json
-refuse 1 "holds landmarks" landmarks body.off pose.off a.csv --map marked.txt -o none.txt
+refuse 1 "name of landmarks must end in" landmarks body.off pose.off a.csv --map marked.txt -o none.txt
 
 # ---- what is doubtful is said ----
 run match body.off inside_out.off $fast -o map.txt && says "inside_out.off: inside out"

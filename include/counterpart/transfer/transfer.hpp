@@ -19,12 +19,12 @@ struct TransferOptions {
     bool colors = true;
     bool texture_coordinates = true;
     bool normals = true;
-    /// Also those of a source that is shaded flat, which say no more than its triangles do and would split
-    /// every vertex of the target. A box is not shaded flat: most of its edges that bend are sharp.
-    bool flat_normals = false;
     bool skin = true;
     bool morphs = true;
     bool materials = true;   ///< with their textures; texture coordinates are of no use without them
+    /// Also normals of a source that is shaded flat, which say no more than its triangles do and would split
+    /// every vertex of the target. A box is not shaded flat: most of its edges that bend are sharp.
+    bool flat_normals = false;
     int max_influences = 0;  ///< maximum joints per vertex; 0 = as in the source (4 or 8 in glTF)
     int n_threads = 0;       ///< 0 = all; does not change the result
     Progress progress{};     ///< called between attributes
