@@ -135,6 +135,10 @@ def require_editable(obj) -> None:
             )
         if block.override_library is not None:
             raise Refused(f"'{obj.name}' is a library override: Object > Relations > Make Local first")
+    if obj.data is not None and obj.data.users - obj.data.use_fake_user > 1:  # others would change with it
+        raise Refused(
+            f"'{obj.name}' shares its data with others: Object > Relations > Make Single User > Object & Data first"
+        )
 
 
 def _surface(obj, mesh, positions: np.ndarray) -> Surface:
