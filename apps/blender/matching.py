@@ -15,6 +15,12 @@ from .landmarks import landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
 
+DECLARED = ("source", "target", "both")  # values of `part`: one object shows more than the other
+TURNS = (
+    "turned otherwise the surfaces lie on each other as well, see the runner-up; 'Facing the Same Way' or a landmark "
+    "pair decides"
+)
+
 
 @dataclass(frozen=True)
 class Options:
@@ -78,11 +84,12 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
     asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
     if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
-        points = match_in_place(pair.active, pair.selected)
-        if points is None:
-            points = match_moved(pair.active, pair.selected, part_of(progress, 0.05, 0.2))
-        if points is not None:
-            return _in_place(pair, points, asked)
+        lying = match_in_place(pair.active, pair.selected)
+        maps = [lying] if lying is not None else []
+        if not maps and options.part not in DECLARED:
+            maps = match_moved(pair.active, pair.selected, options.aligned, part_of(progress, 0.05, 0.2))
+        if maps:
+            return _in_place(pair, maps, asked)
     result = cp.match(
         *ends,
         landmarks=pair.landmarks if len(pair.landmarks) else None,
@@ -106,13 +113,17 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     )
 
 
-def _in_place(pair: Pair, points: cp.SurfaceMap, asked: dict[str, str]) -> StoredMap:
-    vertex = cp.nearest_corners(pair.active.mesh(), points)
+def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> StoredMap:
+    """The first of the maps; a second one makes it doubtful."""
+    vertex, *others = [cp.nearest_corners(pair.active.mesh(), points) for points in maps]
     confidence = (vertex >= 0).astype(np.float32)
     said = dict(
-        method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do so when moved"
+        method="in place",
+        verdict="check" if others else "use",
+        reason=TURNS if others else "",
+        notices="the surfaces lie on each other, or do so when moved",
     )
-    return StoredMap(vertex, points, confidence, None, **asked, **said)
+    return StoredMap(vertex, maps[0], confidence, others[0] if others else None, **asked, **said)
 
 
 def _said(message: cp.Message) -> str:
