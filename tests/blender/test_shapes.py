@@ -108,6 +108,20 @@ def test_in_betweens_play_and_keep_the_volume(hero):
     assert np.median(np.abs(middle - ends) / ends) < 0.01
 
 
+def test_in_betweens_of_several_objects_play_one_after_the_other(hero):
+    full = c.sculpted(hero, "Full", 0.04)
+    thin = c.sculpted(hero, "Thin", -0.02)
+    c.only(hero, thin, full)
+    bpy.context.scene.frame_set(1)
+    assert bpy.ops.counterpart.in_betweens(count=1, frames=5) == {"FINISHED"}
+    hero.modifiers.clear()
+    shapes = {obj.name: c.positions(obj) for obj in (hero, full, thin)}
+    for frame, name in ((1, "Hero"), (11, "Full"), (21, "Thin"), (40, "Thin")):
+        assert np.abs(seen_at(hero, frame) - shapes[name]).max() < 1e-4
+    middle = seen_at(hero, 16)  # between the two, not from the first shape again
+    assert np.abs(middle - (shapes["Full"] + shapes["Thin"]) / 2).max() < 0.01
+
+
 def lengths(points, edges):
     return np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
 

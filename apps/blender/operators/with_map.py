@@ -59,6 +59,10 @@ class WithMap:
         notices."""
         raise NotImplementedError
 
+    def prepare_all(self, context, pairs: list[Pair], found: list[StoredMap]) -> list[Callable[[], list[str]]]:
+        """`prepare` for each; those that need them all at once override it."""
+        return [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
+
     @classmethod
     def poll(cls, context):
         active, others = (
@@ -183,7 +187,7 @@ class WithMap:
                 raise Refused(
                     f"'{pair.selected_object.name}', {answer.sentence}. 'Use Doubtful Maps' goes on all the same"
                 )
-        changes = [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
+        changes = self.prepare_all(context, pairs, found)
         for pair, answer in zip(pairs, found, strict=True):
             if self.writes_selected and answer is not pair.kept:
                 store(pair.selected_object.data, answer)
