@@ -75,6 +75,13 @@ def points_at_vertices(active: Surface, vertex: np.ndarray) -> cp.SurfaceMap:
     return cp.SurfaceMap(triangles, weights)
 
 
+def unmoved(active: Surface) -> StoredMap:
+    """From the active object to itself."""
+    vertex = np.arange(len(active.vertices), dtype=np.int32)
+    confidence = np.ones(len(vertex), np.float32)
+    return StoredMap(vertex, points_at_vertices(active, vertex), confidence, None, **dict.fromkeys(SAID, ""))
+
+
 def store(mesh, found: StoredMap) -> None:
     """Only where the map is one of the mesh's vertices: not of those that modifiers make."""
     if len(found.vertex) != len(mesh.vertices):

@@ -27,6 +27,20 @@ def test_fit_makes_an_object_on_the_surface(hero):
     assert made.data != hero.data
 
 
+@pytest.mark.parametrize("scale", [1, 100])
+def test_fitted_shape_keys_turn_with_the_surface(hero, scale):
+    """To the side of the scene on a scan that looks there; as large as the scan."""
+    scan = c.remeshed(hero, "Scan")
+    scan.matrix_world = Matrix.Rotation(np.pi / 2, 4, "Z") @ Matrix.Scale(scale, 4)
+    c.only(hero, scan)
+    assert bpy.ops.counterpart.fit() == {"FINISHED"}
+    keys = bpy.data.objects["Scan fit"].data.shape_keys.key_blocks
+    for name, moves in c.true_moves(c.positions(hero)).items():
+        truth = moves @ np.array(scan.matrix_world)[:3, :3].T
+        ours = c.read(keys[name].data, "co", 3) - c.read(keys["Basis"].data, "co", 3)
+        assert np.linalg.norm(ours - truth, axis=1).max() < 0.005 * c.HEIGHT * scale
+
+
 def test_fit_as_a_shape_key(hero):
     other = c.remeshed(hero, "Scan")
     c.only(hero, other)
