@@ -11,7 +11,7 @@ import numpy as np
 
 from .in_place import match_in_place, match_moved
 from .job import Progress, part_of
-from .landmarks import landmark_pairs
+from .landmarks import landmark_names, landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
 
@@ -28,6 +28,13 @@ class Options:
     aligned: bool = False  # both face the same way
     part: str = "unknown"  # as in cp.match, with the selected object as its source
 
+    @property
+    def words(self) -> str:
+        """Those that are not as at first."""
+        chosen = [("as seen", self.seen), ("facing the same way", self.aligned)]
+        chosen.append((f"parts: {self.part}", self.part != "unknown"))
+        return ", ".join(word for word, holds in chosen if holds)
+
 
 @dataclass(frozen=True)
 class Pair:
@@ -37,6 +44,7 @@ class Pair:
     ----------
     active, selected : Surface
     landmarks : (n, 2) vertices of the selected and of the active object
+    facts : see `facts`
     kept : StoredMap, the map of the selected object if it is the answer to this question, else None
     """
 
@@ -46,6 +54,7 @@ class Pair:
     selected: Surface
     landmarks: np.ndarray
     options: Options
+    facts: str
     kept: StoredMap | None
 
 
@@ -70,7 +79,13 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
     kept = stored(selected.data)
     if kept is not None and kept.question != question(surfaces[active], surfaces[selected], pairs, options):
         kept = None
-    return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, kept)
+    return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, facts(active, selected), kept)
+
+
+def facts(active, selected) -> str:
+    """Where these differ from those of a kept map, its question is another; what takes long to see is not here."""
+    counts = [f"{len(obj.data.vertices)} {len(obj.data.polygons)}" for obj in (selected, active)]
+    return ", ".join([*counts, *sorted(landmark_names(selected) & landmark_names(active))])
 
 
 def question(active: Surface, selected: Surface, landmarks: np.ndarray, options: Options) -> str:
@@ -82,7 +97,12 @@ def question(active: Surface, selected: Surface, landmarks: np.ndarray, options:
 def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     """Raises cp.Canceled, and cp.InvalidInput with a sentence for meshes that cannot be matched."""
     ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
-    asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
+    asked = dict(
+        active=pair.active_object.name,
+        question=question(pair.active, pair.selected, pair.landmarks, options),
+        facts=pair.facts,
+        options=options.words,
+    )
     if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
         lying = match_in_place(pair.active, pair.selected)
         maps = [lying] if lying is not None else []
