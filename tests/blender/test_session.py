@@ -241,6 +241,18 @@ def test_a_mesh_of_several_objects_is_not_changed(hero):
     assert bpy.ops.counterpart.transfer() == {"FINISHED"}
 
 
+def test_what_only_reads_takes_a_mesh_of_several_objects_and_keeps_no_map_with_it(hero):
+    other = c.remeshed(hero, "Other")
+    bpy.context.collection.objects.link(bpy.data.objects.new("Twin", other.data))
+    c.only(hero, other)
+    pressed, window = Pressed(), a_window()
+    pressed.writes_selected = False
+    pressed.invoke(window, event("LEFTMOUSE"))
+    pressed._job.wait()
+    assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert len(pressed.done) == 1 and stored(other.data) is None
+
+
 def test_sentences_for_what_is_no_mesh(hero):
     empty = bpy.data.objects.new("Crowd", None)
     empty.instance_type = "COLLECTION"

@@ -15,7 +15,7 @@ import counterpart3d as cp
 from ..job import Job
 from ..landmarks import not_paired
 from ..matching import Options, Pair, match_pair, read_pair
-from ..objects import Refused, require_editable
+from ..objects import Refused, is_shared, require_editable
 from ..stored_map import StoredMap, store
 
 LINE = 80  # characters of a sentence in the dialog
@@ -220,9 +220,9 @@ class WithMap:
 
 
 def _can_be_kept(pair: Pair, found: StoredMap) -> bool:
-    """Not of vertices that modifiers make, nor in the data of another file."""
+    """Not of vertices that modifiers make, nor in the data of another file or of other objects."""
     mesh = pair.selected_object.data
-    return mesh.library is None and len(found.vertex) == len(mesh.vertices)
+    return mesh.library is None and not is_shared(mesh) and len(found.vertex) == len(mesh.vertices)
 
 
 def _unused_landmarks(pairs: list[Pair]) -> list[str]:
