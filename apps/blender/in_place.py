@@ -19,6 +19,10 @@ NEAR = 0.01  # of the size: how far the surfaces may be from each other
 SHARE = 0.97  # of the vertices of both for which that must be so
 N_LOOKED_AT = 2000  # vertices that decide whether it is
 N_FITTED = 500  # vertices that are moved to find how one surface lies on the other
+ROUGHLY = np.cos(np.radians(45))  # how far two objects that face the same way may be turned against each other
+AS_WELL = 1.2  # times the error of the best turn, up to which another one is as good
+ROUGH = 3  # the same before both have converged
+ROUNDING = 1e-5  # of the size: smaller errors are none
 
 
 def match_in_place(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
@@ -32,20 +36,42 @@ def match_in_place(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
     return _nearest(selected, active, near, slice(None))
 
 
-def match_moved(active: Surface, selected: Surface, progress: Progress = None) -> cp.SurfaceMap | None:
+def match_moved(
+    active: Surface, selected: Surface, aligned: bool = False, progress: Progress = None
+) -> list[cp.SurfaceMap]:
     """The same once the selected surface is moved: from each way to lay its principal axes on those of the active one
-    by iterated closest points (Besl and McKay 1992), the best."""
+    by iterated closest points (Besl and McKay 1992), the best. A second map is that of another turn that fits as well,
+    as a table has several. Empty if no turn lays the surfaces on each other. `aligned`: it need not be turned far."""
     center, axes, size = _frame(active)
     own_center, own_axes, own_size = _frame(selected)
-    laid = (selected.vertices - own_center) @ own_axes * (size / own_size)
+    laid = (selected.vertices - own_center) * (size / own_size)
     some = np.unique(np.linspace(0, len(laid) - 1, N_FITTED).astype(int))
-    starts = [laid @ turn @ axes.T + center for turn in _turns()]
+    turns = [own_axes @ turn @ axes.T for turn in _turns()]
+    if aligned:
+        turns = [np.eye(3), *(turn for turn in turns if np.trace(turn) > 1 + 2 * ROUGHLY)]
+    starts = [laid @ turn + center for turn in turns]
     parts = [part_of(progress, i / len(starts), (i + 1) / len(starts)) for i in range(len(starts))]
     tries = [_icp(start[some], active, 10, part) for start, part in zip(starts, parts, strict=True)]
-    best = int(np.argmin([found.rms_distance for found in tries]))
-    matrix = _icp(starts[best][some], active, 100, part_of(progress, 1, 1)).matrix
-    moved = starts[best] @ matrix[:3, :3].T + matrix[:3, 3]
-    return match_in_place(active, replace(selected, vertices=moved))
+    errors = np.array([found.rms_distance for found in tries])
+    close = np.flatnonzero(errors <= ROUGH * errors.min() + ROUNDING * active.size)
+    ends = [_icp(starts[i][some], active, 100, part_of(progress, 1, 1)) for i in close]
+    moved = [starts[i] @ end.matrix[:3, :3].T + end.matrix[:3, 3] for i, end in zip(close, ends, strict=True)]
+    best, *others = _as_good(moved, np.array([end.rms_distance for end in ends]), active.size)
+    points = match_in_place(active, replace(selected, vertices=best))
+    if points is None:
+        return []
+    lying = (match_in_place(active, replace(selected, vertices=other)) for other in others)
+    second = next((other for other in lying if other is not None), None)
+    return [points] if second is None else [points, second]
+
+
+def _as_good(moved: list[np.ndarray], errors: np.ndarray, size: float) -> list[np.ndarray]:
+    """The vertices with the least error, then those elsewhere that are about as near."""
+    order = np.argsort(errors, kind="stable")
+    best = moved[order[0]]
+    limit = AS_WELL * errors.min() + ROUNDING * size
+    elsewhere = [i for i in order[1:] if np.linalg.norm(moved[i] - best, axis=1).mean() > NEAR * size]
+    return [best, *(moved[i] for i in elsewhere if errors[i] <= limit)]
 
 
 def _icp(points: np.ndarray, active: Surface, iterations: int, progress: Progress) -> cp.AlignResult:

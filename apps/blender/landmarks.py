@@ -15,20 +15,32 @@ def is_landmark(name: str) -> bool:
     return name.lower().startswith(PREFIX)
 
 
+def landmark_names(obj) -> set[str]:
+    return {group.name for group in obj.vertex_groups if is_landmark(group.name)}
+
+
 def landmark_pairs(first, second) -> np.ndarray:
-    """Pairs of vertices (first, second), one of each name; refused where a name is on one object only, or empty."""
-    ours, theirs = landmarks_of(first), landmarks_of(second)
-    for name in sorted(ours.keys() ^ theirs.keys()):
-        has, lacks = (first, second) if name in ours else (second, first)
-        raise Refused(
-            f"Vertex group '{name}' is on '{has.name}' but not on '{lacks.name}': add it there, or remove it here"
-        )
-    return np.array([(ours[name], theirs[name]) for name in sorted(ours)], np.int32).reshape(-1, 2)
+    """Pairs of vertices (first, second), one of each name that both have; refused where one of these is empty."""
+    names = landmark_names(first) & landmark_names(second)
+    ours, theirs = landmarks_of(first, names), landmarks_of(second, names)
+    return np.array([(ours[name], theirs[name]) for name in sorted(names)], np.int32).reshape(-1, 2)
 
 
-def landmarks_of(obj) -> dict[str, int]:
-    """The vertex of each landmark: that with the largest weight, of several the one nearest to their middle."""
-    names = {group.index: group.name for group in obj.vertex_groups if is_landmark(group.name)}
+def not_paired(first, second) -> str:
+    """A sentence on the landmarks that only one of the two has, maybe meant for a third. Empty: there is none."""
+    alone = [
+        f"'{name}' is on '{has.name}' but not on '{lacks.name}'"
+        for has, lacks in ((first, second), (second, first))
+        for name in sorted(landmark_names(has) - landmark_names(lacks))
+    ]
+    return f"Landmarks that were not used: {', '.join(alone)}" if alone else ""
+
+
+def landmarks_of(obj, which: set[str] | None = None) -> dict[str, int]:
+    """The vertex of each landmark: that with the largest weight, of several the one nearest to their middle. None: of
+    all."""
+    which = landmark_names(obj) if which is None else which
+    names = {group.index: group.name for group in obj.vertex_groups if group.name in which}
     weights: dict[str, dict[int, float]] = {name: {} for name in names.values()}
     if names:
         for vertex in obj.data.vertices:

@@ -11,9 +11,15 @@ import numpy as np
 
 from .in_place import match_in_place, match_moved
 from .job import Progress, part_of
-from .landmarks import landmark_pairs
+from .landmarks import landmark_names, landmark_pairs
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
+
+DECLARED = ("source", "target", "both")  # values of `part`: one object shows more than the other
+TURNS = (
+    "turned otherwise the surfaces lie on each other as well, see the runner-up; 'Facing the Same Way' or a landmark "
+    "pair decides"
+)
 
 
 @dataclass(frozen=True)
@@ -21,6 +27,13 @@ class Options:
     seen: bool = False  # match the shapes that the modifiers make
     aligned: bool = False  # both face the same way
     part: str = "unknown"  # as in cp.match, with the selected object as its source
+
+    @property
+    def words(self) -> str:
+        """Those that are not as at first."""
+        chosen = [("as seen", self.seen), ("facing the same way", self.aligned)]
+        chosen.append((f"parts: {self.part}", self.part != "unknown"))
+        return ", ".join(word for word, holds in chosen if holds)
 
 
 @dataclass(frozen=True)
@@ -31,6 +44,7 @@ class Pair:
     ----------
     active, selected : Surface
     landmarks : (n, 2) vertices of the selected and of the active object
+    facts : see `facts`
     kept : StoredMap, the map of the selected object if it is the answer to this question, else None
     """
 
@@ -40,6 +54,7 @@ class Pair:
     selected: Surface
     landmarks: np.ndarray
     options: Options
+    facts: str
     kept: StoredMap | None
 
 
@@ -64,7 +79,13 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
     kept = stored(selected.data)
     if kept is not None and kept.question != question(surfaces[active], surfaces[selected], pairs, options):
         kept = None
-    return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, kept)
+    return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, facts(active, selected), kept)
+
+
+def facts(active, selected) -> str:
+    """Where these differ from those of a kept map, its question is another; what takes long to see is not here."""
+    counts = [f"{len(obj.data.vertices)} {len(obj.data.polygons)}" for obj in (selected, active)]
+    return ", ".join([*counts, *sorted(landmark_names(selected) & landmark_names(active))])
 
 
 def question(active: Surface, selected: Surface, landmarks: np.ndarray, options: Options) -> str:
@@ -76,13 +97,19 @@ def question(active: Surface, selected: Surface, landmarks: np.ndarray, options:
 def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     """Raises cp.Canceled, and cp.InvalidInput with a sentence for meshes that cannot be matched."""
     ends, options = (pair.selected.polygons(), pair.active.polygons()), pair.options
-    asked = dict(active=pair.active_object.name, question=question(pair.active, pair.selected, pair.landmarks, options))
+    asked = dict(
+        active=pair.active_object.name,
+        question=question(pair.active, pair.selected, pair.landmarks, options),
+        facts=pair.facts,
+        options=options.words,
+    )
     if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
-        points = match_in_place(pair.active, pair.selected)
-        if points is None:
-            points = match_moved(pair.active, pair.selected, part_of(progress, 0.05, 0.2))
-        if points is not None:
-            return _in_place(pair, points, asked)
+        lying = match_in_place(pair.active, pair.selected)
+        maps = [lying] if lying is not None else []
+        if not maps and options.part not in DECLARED:
+            maps = match_moved(pair.active, pair.selected, options.aligned, part_of(progress, 0.05, 0.2))
+        if maps:
+            return _in_place(pair, maps, asked)
     result = cp.match(
         *ends,
         landmarks=pair.landmarks if len(pair.landmarks) else None,
@@ -106,13 +133,17 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     )
 
 
-def _in_place(pair: Pair, points: cp.SurfaceMap, asked: dict[str, str]) -> StoredMap:
-    vertex = cp.nearest_corners(pair.active.mesh(), points)
+def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> StoredMap:
+    """The first of the maps; a second one makes it doubtful."""
+    vertex, *others = [cp.nearest_corners(pair.active.mesh(), points) for points in maps]
     confidence = (vertex >= 0).astype(np.float32)
     said = dict(
-        method="in place", verdict="use", reason="", notices="the surfaces lie on each other, or do so when moved"
+        method="in place",
+        verdict="check" if others else "use",
+        reason=TURNS if others else "",
+        notices="the surfaces lie on each other, or do so when moved",
     )
-    return StoredMap(vertex, points, confidence, None, **asked, **said)
+    return StoredMap(vertex, maps[0], confidence, others[0] if others else None, **asked, **said)
 
 
 def _said(message: cp.Message) -> str:

@@ -135,6 +135,15 @@ def require_editable(obj) -> None:
             )
         if block.override_library is not None:
             raise Refused(f"'{obj.name}' is a library override: Object > Relations > Make Local first")
+    if obj.data is not None and is_shared(obj.data):
+        raise Refused(
+            f"'{obj.name}' shares its data with others: Object > Relations > Make Single User > Object & Data first"
+        )
+
+
+def is_shared(data) -> bool:
+    """Other objects would change with it."""
+    return data.users - data.use_fake_user > 1
 
 
 def _surface(obj, mesh, positions: np.ndarray) -> Surface:

@@ -8,7 +8,9 @@ import textwrap
 
 import bpy
 
-from .landmarks import is_landmark
+from .landmarks import landmark_names
+from .matching import facts
+from .stored_map import VERTEX, said_of_map
 
 ICONS = {"use": "CHECKMARK", "check": "QUESTION", "do not use": "ERROR"}
 LINE = 38  # characters in a sidebar of usual width
@@ -45,24 +47,32 @@ class COUNTERPART_PT_panel(bpy.types.Panel):
 
 def draw_object(layout, obj, active) -> None:
     """The selected object, with the verdict on its map."""
-    found = stored_verdict(obj)
-    if found is None or active is None or found["active"] != active.name:
-        layout.label(text=f"{obj.name}: not matched yet", icon="RADIOBUT_OFF")
+    verdict, sentences = state(obj, active)
+    if not sentences and verdict not in ICONS:
+        layout.label(text=f"{obj.name}: {verdict}", icon="RADIOBUT_OFF")
         return
     box = layout.box()
-    box.label(text=f"{obj.name}: {found['verdict']}", icon=ICONS.get(found["verdict"], "QUESTION"))
-    reason = box.column(align=True)
-    reason.scale_y = 0.75
-    for line in textwrap.wrap(found["reason"], LINE):
-        reason.label(text=line)
-    landmarks = sum(is_landmark(group.name) for group in obj.vertex_groups)
-    if landmarks:
-        box.label(text=f"{landmarks} landmark{'s' if landmarks > 1 else ''}")
+    box.label(text=f"{obj.name}: {verdict}", icon=ICONS.get(verdict, "QUESTION"))
+    column = box.column(align=True)
+    column.scale_y = 0.75
+    for sentence in sentences:
+        for line in textwrap.wrap(sentence, LINE):
+            column.label(text=line)
 
 
-def stored_verdict(obj):
-    """What was said of the map, without reading its numbers: a panel is drawn often."""
-    return obj.data.get("counterpart") if obj.type == "MESH" else None
+def state(obj, active) -> tuple[str, list[str]]:
+    """The verdict, or why there is none, and what else to know. Reads no numbers: a panel is drawn often."""
+    if active is None or any(each.type != "MESH" for each in (obj, active)):
+        return "not matched yet", []
+    said = said_of_map(obj.data)
+    if said is None or VERTEX not in obj.data.attributes or said["active"] != active.name:
+        return "not matched yet", []
+    if said["facts"] != facts(active, obj):
+        return "changed since; will be matched again", []
+    landmarks = len(landmark_names(obj) & landmark_names(active))
+    sentences = [said["reason"], f"matched {said['options']}" if said["options"] else ""]
+    sentences.append(f"{landmarks} landmark{'s' if landmarks > 1 else ''}" if landmarks else "")
+    return said["verdict"], [sentence for sentence in sentences if sentence]
 
 
 CLASSES = (COUNTERPART_PT_panel,)

@@ -20,7 +20,7 @@ VERTEX, TRIANGLE, WEIGHTS = "counterpart", "counterpart_triangle", "counterpart_
 CONFIDENCE, RUNNER_UP = "counterpart_confidence", "counterpart_runner_up"
 NAMES = (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE, RUNNER_UP)
 PROPERTY = "counterpart"
-SAID = ("active", "question", "method", "verdict", "reason", "notices")
+SAID = ("active", "question", "facts", "options", "method", "verdict", "reason", "notices")
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,8 @@ class StoredMap:
     runner_up : (n_selected,) int32, as `vertex`, or None
     active : the name of the active object
     question : what was asked, to know whether it is still the same: see `matching.question`
+    facts : of the question what is known at once: see `matching.facts`
+    options : those that were chosen, in words
     method, verdict, reason, notices : see cp.MatchResult; the last two as sentences
     """
 
@@ -44,6 +46,8 @@ class StoredMap:
     runner_up: np.ndarray | None
     active: str
     question: str
+    facts: str
+    options: str
     method: str
     verdict: str
     reason: str
@@ -75,6 +79,13 @@ def points_at_vertices(active: Surface, vertex: np.ndarray) -> cp.SurfaceMap:
     return cp.SurfaceMap(triangles, weights)
 
 
+def unmoved(active: Surface) -> StoredMap:
+    """From the active object to itself."""
+    vertex = np.arange(len(active.vertices), dtype=np.int32)
+    confidence = np.ones(len(vertex), np.float32)
+    return StoredMap(vertex, points_at_vertices(active, vertex), confidence, None, **dict.fromkeys(SAID, ""))
+
+
 def store(mesh, found: StoredMap) -> None:
     """Only where the map is one of the mesh's vertices: not of those that modifiers make."""
     if len(found.vertex) != len(mesh.vertices):
@@ -92,7 +103,7 @@ def store(mesh, found: StoredMap) -> None:
 
 def stored(mesh) -> StoredMap | None:
     """What the mesh keeps, whether or not it still holds."""
-    said = mesh.get(PROPERTY)
+    said = said_of_map(mesh)
     if said is None or any(name not in mesh.attributes for name in (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE)):
         return None
     weights = numbers(mesh.attributes[WEIGHTS].data, "vector", (-1, 3)).astype(np.float64)
@@ -102,8 +113,16 @@ def stored(mesh) -> StoredMap | None:
         cp.SurfaceMap(_read(mesh, TRIANGLE, np.int32), weights / np.where(sums > 0, sums, 1)),
         _read(mesh, CONFIDENCE, np.float32),
         _read(mesh, RUNNER_UP, np.int32) if RUNNER_UP in mesh.attributes else None,
-        **{name: str(said[name]) for name in SAID},
+        **said,
     )
+
+
+def said_of_map(mesh) -> dict[str, str] | None:
+    """Without the numbers, so that a panel can ask often. None also where a person's own property has the name."""
+    said = mesh.get(PROPERTY)
+    if not hasattr(said, "keys") or any(name not in said.keys() for name in SAID):  # noqa: SIM118
+        return None
+    return {name: str(said[name]) for name in SAID}
 
 
 def _read(mesh, name: str, dtype) -> np.ndarray:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .objects import basis_positions, numbers
+from .carried.shape_keys import relative_first
 
 
 def add_shape_key(obj, name: str, positions: np.ndarray):
@@ -22,9 +22,9 @@ def add_shape_key(obj, name: str, positions: np.ndarray):
     return key
 
 
-def moved_copy(obj, beside, positions: np.ndarray):
-    """A copy of the object in this shape, in the collections of another; its shape keys move along. Without modifiers
-    and parent, which would move it away."""
+def moved_copy(obj, beside, positions: np.ndarray, moves: dict[str, np.ndarray]):
+    """A copy of the object in this shape, in the collections of another. `moves`: of each shape key, from that which it
+    is relative to. Without modifiers and parent, which would move it away."""
     copy = obj.copy()
     copy.data = obj.data.copy()
     copy.name = copy.data.name = f"{beside.name} fit"
@@ -34,11 +34,13 @@ def moved_copy(obj, beside, positions: np.ndarray):
     copy.modifiers.clear()
     copy.parent = None
     copy.matrix_world = matrix
-    shift = positions - basis_positions(copy.data)
     if copy.data.shape_keys is not None:
-        for key in copy.data.shape_keys.key_blocks:
-            moved = numbers(key.data, "co", (-1, 3)) + shift
-            key.data.foreach_set("co", np.ascontiguousarray(moved, np.float32).ravel())
+        written = {copy.data.shape_keys.reference_key.name: positions}
+        for key in relative_first(copy.data.shape_keys):
+            written[key.name] = written.get(key.relative_key.name, positions) + moves[key.name]
+        for name, shape in written.items():
+            key = copy.data.shape_keys.key_blocks[name]
+            key.data.foreach_set("co", np.ascontiguousarray(shape, np.float32).ravel())
     copy.data.vertices.foreach_set("co", np.ascontiguousarray(positions, np.float32).ravel())
     copy.data.update()
     for collection in beside.users_collection:

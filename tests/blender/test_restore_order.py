@@ -85,12 +85,35 @@ def test_other_meshes_are_refused(hero):
     assert differences({"": before}, {"": digest(other)}) == []
 
 
-def test_multires_is_refused(hero):
+@pytest.mark.parametrize("kind", ["MULTIRES", "CLOTH", "MESH_CACHE", "PARTICLE_SYSTEM"])
+def test_modifiers_that_keep_numbers_are_refused(hero, kind):
     other, _ = c.shuffled(hero, "Other")
-    other.modifiers.new("Multires", "MULTIRES")
+    other.modifiers.new("Keeper", kind)
     c.only(hero, other)
-    with pytest.raises(RuntimeError, match="Multires modifier of 'Other'"):
+    with pytest.raises(RuntimeError, match=r"numbers of the vertices of 'Other'.*'Keeper'"):
         bpy.ops.counterpart.restore_order()
+
+
+def test_binds_to_and_of_the_object_are_refused(hero):
+    """A Surface Deform keeps numbers of both: its own object's vertices and the faces that they follow."""
+    other, _ = c.shuffled(hero, "Other")
+    cloak = c.decimated(hero, "Cloak")
+    for obj, target in ((cloak, other), (other, cloak)):
+        follow = obj.modifiers.new("Follow", "SURFACE_DEFORM")
+        follow.target = target
+        c.only(obj)
+        bpy.ops.object.surfacedeform_bind(modifier="Follow")
+        assert follow.is_bound
+        before = digest(other)
+        c.only(hero, other)
+        with pytest.raises(RuntimeError, match="'Cloak: Follow'" if obj == cloak else "'Follow'"):
+            bpy.ops.counterpart.restore_order()
+        assert differences({"": before}, {"": digest(other)}) == []
+        obj.modifiers.clear()
+    other.modifiers.new("Not bound", "SURFACE_DEFORM").target = cloak
+    other.modifiers.new("Solid", "COLLISION")
+    c.only(hero, other)
+    assert bpy.ops.counterpart.restore_order() == {"FINISHED"}
 
 
 def by_vertex(obj, original):

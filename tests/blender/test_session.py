@@ -221,6 +221,38 @@ def test_a_linked_object_can_be_the_active_one(hero, elsewhere):
     assert bpy.ops.counterpart.transfer(rig=False) == {"FINISHED"}
 
 
+def test_a_mesh_of_several_objects_is_not_changed(hero):
+    """As Alt D makes them: what is written to one would be on the other too."""
+    other = c.remeshed(hero, "Other")
+    twin = bpy.data.objects.new("Twin", other.data)
+    bpy.context.collection.objects.link(twin)
+    before = everything()
+    for selected in ([other], [other, twin]):
+        c.only(hero, *selected)
+        with pytest.raises(RuntimeError, match=r"'\w+' shares its data.*Make Single User > Object & Data"):
+            bpy.ops.counterpart.transfer()
+    c.only(other, hero)
+    with pytest.raises(RuntimeError, match="'Other' shares its data"):
+        bpy.ops.counterpart.join_shape_keys()
+    assert differences(before, everything()) == []
+    bpy.data.objects.remove(twin)
+    other.data.use_fake_user = True  # keeps it in the file, and is nobody who would see the change
+    c.only(hero, other)
+    assert bpy.ops.counterpart.transfer() == {"FINISHED"}
+
+
+def test_what_only_reads_takes_a_mesh_of_several_objects_and_keeps_no_map_with_it(hero):
+    other = c.remeshed(hero, "Other")
+    bpy.context.collection.objects.link(bpy.data.objects.new("Twin", other.data))
+    c.only(hero, other)
+    pressed, window = Pressed(), a_window()
+    pressed.writes_selected = False
+    pressed.invoke(window, event("LEFTMOUSE"))
+    pressed._job.wait()
+    assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert len(pressed.done) == 1 and stored(other.data) is None
+
+
 def test_sentences_for_what_is_no_mesh(hero):
     empty = bpy.data.objects.new("Crowd", None)
     empty.instance_type = "COLLECTION"
@@ -232,7 +264,8 @@ def test_sentences_for_what_is_no_mesh(hero):
     bpy.context.collection.objects.link(twin)
     c.only(hero, twin)
     with pytest.raises(RuntimeError, match="share one mesh"):
-        bpy.ops.counterpart.match()
+        bpy.ops.counterpart.fit()
+    bpy.data.objects.remove(twin)
     flat = c.remeshed(hero, "Flat")
     flat.scale = (1, 1, 0)
     c.only(hero, flat)

@@ -27,6 +27,20 @@ def test_fit_makes_an_object_on_the_surface(hero):
     assert made.data != hero.data
 
 
+@pytest.mark.parametrize("scale", [1, 100])
+def test_fitted_shape_keys_turn_with_the_surface(hero, scale):
+    """To the side of the scene on a scan that looks there; as large as the scan."""
+    scan = c.remeshed(hero, "Scan")
+    scan.matrix_world = Matrix.Rotation(np.pi / 2, 4, "Z") @ Matrix.Scale(scale, 4)
+    c.only(hero, scan)
+    assert bpy.ops.counterpart.fit() == {"FINISHED"}
+    keys = bpy.data.objects["Scan fit"].data.shape_keys.key_blocks
+    for name, moves in c.true_moves(c.positions(hero)).items():
+        truth = moves @ np.array(scan.matrix_world)[:3, :3].T
+        ours = c.read(keys[name].data, "co", 3) - c.read(keys["Basis"].data, "co", 3)
+        assert np.linalg.norm(ours - truth, axis=1).max() < 0.005 * c.HEIGHT * scale
+
+
 def test_fit_as_a_shape_key(hero):
     other = c.remeshed(hero, "Scan")
     c.only(hero, other)
@@ -106,6 +120,20 @@ def test_in_betweens_play_and_keep_the_volume(hero):
     middle = lengths(c.read(keys["Bent 2/4"].data, "co", 3), edges)
     ends = (lengths(c.positions(hero), edges) + lengths(c.read(keys["Bent"].data, "co", 3), edges)) / 2
     assert np.median(np.abs(middle - ends) / ends) < 0.01
+
+
+def test_in_betweens_of_several_objects_play_one_after_the_other(hero):
+    full = c.sculpted(hero, "Full", 0.04)
+    thin = c.sculpted(hero, "Thin", -0.02)
+    c.only(hero, thin, full)
+    bpy.context.scene.frame_set(1)
+    assert bpy.ops.counterpart.in_betweens(count=1, frames=5) == {"FINISHED"}
+    hero.modifiers.clear()
+    shapes = {obj.name: c.positions(obj) for obj in (hero, full, thin)}
+    for frame, name in ((1, "Hero"), (11, "Full"), (21, "Thin"), (40, "Thin")):
+        assert np.abs(seen_at(hero, frame) - shapes[name]).max() < 1e-4
+    middle = seen_at(hero, 16)  # between the two, not from the first shape again
+    assert np.abs(middle - (shapes["Full"] + shapes["Thin"]) / 2).max() < 0.01
 
 
 def lengths(points, edges):

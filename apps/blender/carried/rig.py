@@ -15,6 +15,7 @@ OF_ONE_MESH = {
     "MULTIRES", "SURFACE_DEFORM", "MESH_DEFORM", "LAPLACIANDEFORM", "HOOK", "CLOTH", "SOFT_BODY", "PARTICLE_SYSTEM",
     "PARTICLE_INSTANCE", "FLUID", "DYNAMIC_PAINT", "COLLISION", "EXPLODE", "MESH_SEQUENCE_CACHE", "MESH_CACHE",
 }  # fmt: skip
+NOT_BY_NUMBER = {"HOOK", "COLLISION"}  # of these, what can be renumbered or keeps nothing of a vertex
 FAR = 0.02  # of the size: from here on an object that gets a rig stands elsewhere
 OTHER_POSE = 0.05  # of the size, left over after moving
 
@@ -65,7 +66,7 @@ def onto_active(selected, carrier: Carrier) -> tuple[Matrix, list[str]]:
 def copy_modifiers(active, selected) -> list[str]:
     left = []
     for modifier in active.modifiers:
-        if modifier.type in OF_ONE_MESH or getattr(modifier, "is_bind", False):
+        if modifier.type in OF_ONE_MESH or is_bound(modifier):
             left.append(modifier.name)
             continue
         ours = selected.modifiers.get(modifier.name)
@@ -76,6 +77,22 @@ def copy_modifiers(active, selected) -> list[str]:
         names = ", ".join(f"'{name}'" for name in left)
         return [f"Modifiers that belong to one mesh were left out: {names}"]
     return []
+
+
+def is_bound(modifier) -> bool:
+    return getattr(modifier, "is_bound", False) or getattr(modifier, "is_bind", False)
+
+
+def keeps_order(modifier) -> bool:
+    """It would break where the vertices of its mesh got other numbers. What can be bound does so once it is bound."""
+    if hasattr(modifier, "is_bound") or hasattr(modifier, "is_bind"):
+        return is_bound(modifier)
+    return modifier.type in OF_ONE_MESH - NOT_BY_NUMBER
+
+
+def bound_to(modifier, obj) -> bool:
+    """It keeps numbers of the vertices or faces of that other object, to which it is bound."""
+    return is_bound(modifier) and obj in (getattr(modifier, "target", None), getattr(modifier, "object", None))
 
 
 def copy_settings(source, target) -> None:

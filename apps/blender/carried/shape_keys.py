@@ -27,8 +27,8 @@ def carried(active, selected, carrier: Carrier) -> Write:
         if selected.data.shape_keys is None:
             selected.shape_key_add(name=keys.reference_key.name, from_mix=False)
         written = {keys.reference_key.name: (selected.data.shape_keys.reference_key, basis)}
-        for key in _relative_first(keys):
-            relative = written[key.relative_key.name][1]
+        for key in relative_first(keys):
+            _, relative = written.get(key.relative_key.name, (None, basis))
             written[key.name] = _write_key(selected, key, relative + moved[key.name])
         for key in keys.key_blocks:
             if key != keys.reference_key:
@@ -65,7 +65,7 @@ def moved_displacements(local: dict[str, np.ndarray], carrier: Carrier) -> dict[
     return {name: carrier.selected.vectors_to_local(moves) for name, moves in mesh.morphs.items()}
 
 
-def _relative_first(keys) -> list:
+def relative_first(keys) -> list:
     """All keys but the reference, each after the one that it is relative to."""
     ordered, rest, known = [], [key for key in keys.key_blocks if key != keys.reference_key], {keys.reference_key.name}
     while rest:

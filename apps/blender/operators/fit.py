@@ -4,10 +4,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import bpy
 import numpy as np
 
+from ..carried.shape_keys import displacements, moved_displacements
+from ..carrier import Carrier
+from ..matching import Pair
 from ..shapes import PLACES, active_in_shape_of, placed
+from ..stored_map import unmoved
 from ..writing import add_shape_key, moved_copy
 from .with_map import WithMap
 
@@ -49,14 +55,24 @@ class COUNTERPART_OT_fit(WithMap, bpy.types.Operator):
         active, selected = pair.active_object, pair.selected_object
         if self.result == "SHAPE_KEY":
             shape = pair.active.to_local(placed(points, self.place, pair))
+            moves = {}
         else:
-            shape = pair.active.to_local(points)
+            shape, moves = pair.active.to_local(points), moved_keys(pair, points)
 
         def write():
             if self.result == "SHAPE_KEY":
                 add_shape_key(active, selected.name, shape)
             else:
-                moved_copy(active, selected, np.asarray(shape))
+                moved_copy(active, selected, shape, moves)
             return []
 
         return write
+
+
+def moved_keys(pair: Pair, points: np.ndarray) -> dict[str, np.ndarray]:
+    """The displacements of the active object's shape keys, turned and stretched with its surface to these points."""
+    keys = pair.active_object.data.shape_keys
+    if keys is None:
+        return {}
+    carrier = Carrier(pair.active, replace(pair.active, vertices=points), unmoved(pair.active))
+    return moved_displacements(displacements(keys), carrier)

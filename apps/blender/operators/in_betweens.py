@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Shapes between the active object and each selected one, as shape keys with an action that plays them."""
+"""Shapes from the active object through the selected ones, as shape keys with an action that plays them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from .with_map import WithMap
 
 
 class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
-    """Turn the active object into each selected one, through shapes that bend instead of collapsing, as an action"""
+    """Turn the active object into the selected one, through shapes that bend instead of collapsing, as an action. Of
+    several the action shows one after the other, by their names"""
 
     bl_idname = "counterpart.in_betweens"
     bl_label = "In-Betweens"
@@ -26,22 +27,28 @@ class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
     frames: bpy.props.IntProperty(name="Frames from Shape to Shape", default=3, min=1, max=100)
     place: bpy.props.EnumProperty(name="Place", items=PLACES)
 
-    def prepare(self, context, pair, found):
-        last = placed(active_in_shape_of(pair, found), self.place, pair)
-        same = np.arange(len(last), dtype=np.int32)
-        morph = cp.morph(pair.active.mesh(), cp.Mesh(last, pair.active.triangles), same, count=self.count)
-        shapes = [pair.active.to_local(points) for points in [*morph.frames, last]]
-        name, start = pair.selected_object.name, context.scene.frame_current
+    def prepare_all(self, context, pairs, found):
+        obj, active, start = pairs[0].active_object, pairs[0].active, context.scene.frame_current
+        shapes: dict[str, np.ndarray] = {}
+        before = active.vertices
+        for pair, answer in sorted(zip(pairs, found, strict=True), key=lambda each: each[0].selected_object.name):
+            name, last = pair.selected_object.name, placed(active_in_shape_of(pair, answer), self.place, pair)
+            for i, points in enumerate(between(before, last, active.triangles, self.count), 1):
+                shapes[f"{name} {i}/{self.count + 1}"] = active.to_local(points)
+            shapes[name] = active.to_local(last)
+            before = last
 
         def write():
-            keys = [
-                add_shape_key(pair.active_object, name if i == len(shapes) else f"{name} {i}/{len(shapes)}", shape)
-                for i, shape in enumerate(shapes, 1)
-            ]
-            play(pair.active_object.data.shape_keys, keys, start, self.frames)
+            keys = [add_shape_key(obj, name, shape) for name, shape in shapes.items()]
+            play(obj.data.shape_keys, keys, start, self.frames)
             return []
 
-        return write
+        return [write]
+
+
+def between(first: np.ndarray, last: np.ndarray, triangles: np.ndarray, count: int) -> list[np.ndarray]:
+    same = np.arange(len(last), dtype=np.int32)
+    return list(cp.morph(cp.Mesh(first, triangles), cp.Mesh(last, triangles), same, count=count).frames)
 
 
 def play(block, keys, start: int, step: int) -> None:

@@ -9,6 +9,7 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
+from ..carried.rig import bound_to, keeps_order
 from ..landmarks import landmark_pairs
 from ..matching import question
 from ..objects import Refused, read_surface
@@ -32,10 +33,7 @@ class COUNTERPART_OT_restore_order(WithMap, bpy.types.Operator):
                 f"({len(pair.selected.vertices)} and {len(pair.active.vertices)}, matched as {found.method}): "
                 "'Fit' gives it the active's mesh"
             )
-        if any(modifier.type == "MULTIRES" for modifier in obj.modifiers):
-            raise Refused(
-                f"The levels of the Multires modifier of '{obj.name}' belong to its order: apply the modifier first"
-            )
+        require_no_numbers(obj)
         same = same_faces(pair.active, pair.selected, found.vertex)
 
         def write():
@@ -51,3 +49,20 @@ class COUNTERPART_OT_restore_order(WithMap, bpy.types.Operator):
             return [] if same else [f"'{obj.name}': the faces differ, so only the vertices were put in order"]
 
         return write
+
+
+def require_no_numbers(obj) -> None:
+    """No modifier keeps numbers of the object's vertices, on itself or on an object that is bound to it."""
+    ours = [modifier.name for modifier in obj.modifiers if keeps_order(modifier)]
+    theirs = [
+        f"{other.name}: {modifier.name}"
+        for other in bpy.data.objects
+        for modifier in other.modifiers
+        if bound_to(modifier, obj)
+    ]
+    if ours or theirs:
+        names = ", ".join(f"'{name}'" for name in (*ours, *theirs))
+        raise Refused(
+            f"Modifiers keep numbers of the vertices of '{obj.name}', which would become wrong ({names}): "
+            "apply, unbind or remove them first"
+        )

@@ -13,8 +13,9 @@ import bpy
 import counterpart3d as cp
 
 from ..job import Job
+from ..landmarks import not_paired
 from ..matching import Options, Pair, match_pair, read_pair
-from ..objects import Refused, require_editable
+from ..objects import Refused, is_shared, require_editable
 from ..stored_map import StoredMap, store
 
 LINE = 80  # characters of a sentence in the dialog
@@ -58,6 +59,10 @@ class WithMap:
         """Reads and computes all that is needed and changes nothing; what it returns changes the objects, and returns
         notices."""
         raise NotImplementedError
+
+    def prepare_all(self, context, pairs: list[Pair], found: list[StoredMap]) -> list[Callable[[], list[str]]]:
+        """`prepare` for each; those that need them all at once override it."""
+        return [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
 
     @classmethod
     def poll(cls, context):
@@ -157,6 +162,8 @@ class WithMap:
         bpy.ops.ed.undo_push(message="Match")
         doubts = [(pair, answer) for pair, answer in kept if answer.verdict != "use"]
         if doubts and self.trusts:
+            for notice in _unused_landmarks(self._matching):
+                self.report({"WARNING"}, notice)
             for pair, answer in doubts:
                 self.report(
                     {"WARNING"},
@@ -183,11 +190,12 @@ class WithMap:
                 raise Refused(
                     f"'{pair.selected_object.name}', {answer.sentence}. 'Use Doubtful Maps' goes on all the same"
                 )
-        changes = [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
+        changes = self.prepare_all(context, pairs, found)
         for pair, answer in zip(pairs, found, strict=True):
             if self.writes_selected and answer is not pair.kept:
                 store(pair.selected_object.data, answer)
-        notices = [notice for change in changes for notice in change()]
+        notices = _unused_landmarks(pairs)
+        notices += [notice for change in changes for notice in change()]
         for pair, answer in zip(pairs, found, strict=True):
             if answer.verdict != "use":
                 notices.append(f"'{pair.selected_object.name}', {answer.sentence}")
@@ -212,9 +220,15 @@ class WithMap:
 
 
 def _can_be_kept(pair: Pair, found: StoredMap) -> bool:
-    """Not of vertices that modifiers make, nor in the data of another file."""
+    """Not of vertices that modifiers make, nor in the data of another file or of other objects."""
     mesh = pair.selected_object.data
-    return mesh.library is None and len(found.vertex) == len(mesh.vertices)
+    return mesh.library is None and not is_shared(mesh) and len(found.vertex) == len(mesh.vertices)
+
+
+def _unused_landmarks(pairs: list[Pair]) -> list[str]:
+    """Told when a map is made, not each time that it is used."""
+    sentences = [not_paired(pair.active_object, pair.selected_object) for pair in pairs if pair.kept is None]
+    return [sentence for sentence in sentences if sentence]
 
 
 def _matched_pairs(pairs: list[Pair], progress: Callable[[float], bool]) -> list[StoredMap]:
