@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import tempfile
 import zipfile
 import zlib
@@ -27,6 +28,8 @@ import numpy.typing as npt
 from .. import Canceled, InvalidInput, IoError, NumericalError
 
 Arrays = dict[str, npt.NDArray[Any]]
+KEY = re.compile("[0-9a-f]{32}")
+DAMAGED = (ValueError, EOFError, KeyError, NotImplementedError, RuntimeError, zipfile.BadZipFile, zlib.error)
 FORMAT = 1  # of what the tasks write: another number, and nothing older is taken for it
 
 
@@ -49,19 +52,27 @@ class Store:
     folder: str
 
     def path(self, task: str, key: str) -> pathlib.Path:
-        """Where a result lies."""
+        """Where a result lies.
+
+        Raises
+        ------
+        InvalidInput
+            The key, which may come from a file, is no name that `key_of` gives.
+        """
+        if not isinstance(key, str) or not KEY.fullmatch(key):
+            raise InvalidInput(f"{self.folder}: {key!r} is no name of a result: run the collection again")
         return pathlib.Path(self.folder) / task / f"{key}.npz"
 
     def load(self, task: str, key: str) -> Arrays | None:
-        """A result, or None if it does not exist or is damaged; a damaged one is removed."""
+        """A result, or None if it does not exist or is damaged. Reading changes nothing."""
         path = self.path(task, key)
         try:
-            with np.load(path, allow_pickle=False) as file:
+            file = np.load(path, allow_pickle=False)
+            if not isinstance(file, np.lib.npyio.NpzFile):
+                return None
+            with file:
                 return dict(file)
-        except FileNotFoundError:
-            return None
-        except (ValueError, EOFError, KeyError, zipfile.BadZipFile, zlib.error):
-            path.unlink(missing_ok=True)
+        except (FileNotFoundError, *DAMAGED):
             return None
 
     def get(self, task: str, key: str) -> Arrays:

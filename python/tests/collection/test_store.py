@@ -10,6 +10,8 @@ pytest.importorskip("scipy")
 from counterpart3d.collection.folder import mesh_file, meshes_in
 from counterpart3d.collection.store import Store, compute_once, key_of, whole_file
 
+KEY = key_of("task", "input")
+
 
 @pytest.fixture
 def store(tmp_path):
@@ -36,17 +38,39 @@ def test_names_tell_settings_apart():
 
 @pytest.mark.parametrize("damage", [b"", b"no archive", None, "flip"])
 def test_a_damaged_result_is_made_anew(store, damage):
-    store.save("task", "k", {"a": np.arange(1000)})
-    path = store.path("task", "k")
+    store.save("task", KEY, {"a": np.arange(1000)})
+    path = store.path("task", KEY)
     good = path.read_bytes()
     if damage == "flip":
         middle = len(good) // 2
         path.write_bytes(good[:middle] + bytes([good[middle] ^ 255]) + good[middle + 1 :])
     else:
         path.write_bytes(good[: len(good) // 2] if damage is None else damage)
-    assert store.load("task", "k") is None
-    assert compute_once(store, "task", "k", lambda: {"a": np.arange(1000)}) is None
+    assert store.load("task", KEY) is None
+    assert compute_once(store, "task", KEY, lambda: {"a": np.arange(1000)}) is None
     assert path.read_bytes() == good
+
+
+def test_reading_never_leaves_the_folder_and_never_deletes(store, tmp_path):
+    outside = tmp_path / "outside.npz"
+    outside.write_bytes(b"a photograph")
+    inside = Store(str(tmp_path / "out" / "work"))
+    for key in ("../../../outside", str(tmp_path / "outside"), KEY.upper(), KEY + "\n", "", None):
+        with pytest.raises(cp.InvalidInput, match="is no name of a result"):
+            inside.load("shapes", key)
+    path = store.path("task", KEY)
+    path.parent.mkdir()
+    path.write_bytes(b"a photograph")
+    assert store.load("task", KEY) is None
+    assert path.read_bytes() == outside.read_bytes() == b"a photograph"
+
+
+def test_a_single_array_is_no_result(store):
+    path = store.path("task", KEY)
+    path.parent.mkdir()
+    with path.open("wb") as file:
+        np.save(file, np.arange(3))
+    assert store.load("task", KEY) is None
 
 
 def test_a_failure_is_recorded_once(store):
@@ -57,10 +81,10 @@ def test_a_failure_is_recorded_once(store):
         raise cp.InvalidInput("triangle 7 is degenerate")
 
     for _ in range(2):
-        assert compute_once(store, "task", "k", compute) == "triangle 7 is degenerate"
+        assert compute_once(store, "task", KEY, compute) == "triangle 7 is degenerate"
     assert len(calls) == 1
     with pytest.raises(cp.InvalidInput, match="triangle 7"):
-        store.get("task", "k")
+        store.get("task", KEY)
 
 
 def test_a_full_disk_stops_and_leaves_nothing_behind(store, tmp_path, monkeypatch):
@@ -70,7 +94,7 @@ def test_a_full_disk_stops_and_leaves_nothing_behind(store, tmp_path, monkeypatc
 
     monkeypatch.setattr(np, "savez_compressed", full)
     with pytest.raises(OSError, match="No space"):
-        compute_once(store, "task", "k", lambda: {"a": np.arange(3)})
+        compute_once(store, "task", KEY, lambda: {"a": np.arange(3)})
     assert not [path for path in tmp_path.rglob("*") if path.is_file()]
 
 
