@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Which pairs are matched, which shapes are mirrored, and the way from the middle to each."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection.chirality import mirrored_shapes
+from counterpart3d.collection.descriptors import total_distances
 from counterpart3d.collection.graph import all_pairs, held_out, medoid, pairs_in_time, sparse_pairs, spread_out
 from counterpart3d.collection.tree import composed, spanning_tree
 from scipy.sparse import coo_matrix
@@ -35,6 +38,39 @@ def test_a_tenth_is_held_out():
     edges = sparse_pairs(descriptors, 0)
     out = held_out(edges, 60)
     assert set(out) <= set(edges) and 0.08 < len(out) / len(edges) < 0.12
+
+
+def on_a_cycle(edges):
+    """The pairs that lie on a cycle of three."""
+    i, j = np.array(edges).T
+    n = j.max() + 1
+    graph = coo_matrix((np.ones(len(edges)), (i, j)), shape=(n, n)).tocsr()
+    graph = graph + graph.T
+    common = np.asarray((graph @ graph)[i, j]).ravel()
+    return {edge for edge, count in zip(edges, common, strict=True) if count}
+
+
+@pytest.mark.parametrize("n", [60, 250, 600, 2000])
+def test_the_pairs_that_are_seen_keep_their_cycles(n):
+    descriptors = np.random.default_rng(n).normal(size=(n, 5))
+    edges = sparse_pairs(descriptors, medoid(descriptors))
+    out = set(held_out(edges, n))
+    seen = [edge for edge in edges if edge not in out]
+    cycles = on_a_cycle(seen)
+    assert len(cycles) >= 0.9 * len(seen)
+    assert on_a_cycle(edges) - out == cycles  # none lost its last one
+    assert np.bincount(np.array(seen).ravel()).min() >= 3
+    assert 0.08 < len(out) / len(edges) < 0.12
+
+
+def test_the_medoid_of_many_is_found_in_blocks():
+    descriptors = np.random.default_rng(0).normal(size=(700, 55))
+    distance = np.linalg.norm(descriptors[:, None] - descriptors[None], axis=2)
+    np.testing.assert_allclose(total_distances(descriptors), distance.sum(axis=1))
+    tracemalloc.start()
+    assert medoid(np.tile(descriptors, (3, 1))) == np.argmin(distance.sum(axis=1))
+    assert tracemalloc.get_traced_memory()[1] < 20e6  # 2 GB at once
+    tracemalloc.stop()
 
 
 def test_frames_are_matched_with_those_near_in_time_and_key_frames():
