@@ -25,7 +25,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .. import Canceled, InvalidInput, IoError, NumericalError
+from .. import Canceled, InvalidInput, IoError, NumericalError, __version__
 
 Arrays = dict[str, npt.NDArray[Any]]
 KEY = re.compile("[0-9a-f]{32}")
@@ -33,9 +33,13 @@ DAMAGED = (ValueError, EOFError, KeyError, NotImplementedError, RuntimeError, zi
 FORMAT = 1  # of what the tasks write: another number, and nothing older is taken for it
 
 
+class MissingResult(InvalidInput):
+    """A result that is not there, or not yet."""
+
+
 def key_of(task: str, *inputs: str, **settings: Any) -> str:
-    """The name of a result."""
-    text = json.dumps([FORMAT, task, inputs, settings], sort_keys=True, separators=(",", ":"))
+    """The name of a result; another version of the package has other names."""
+    text = json.dumps([FORMAT, __version__, task, inputs, settings], sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
@@ -80,12 +84,14 @@ class Store:
 
         Raises
         ------
+        MissingResult
+            It does not: it may lie on another machine, or not be seen yet.
         InvalidInput
-            It does not, or it is the record of a failure.
+            It is the record of a failure.
         """
         found = self.load(task, key)
         if found is None:
-            raise InvalidInput(f"{self.path(task, key)}: missing or damaged: run the collection again")
+            raise MissingResult(f"{self.path(task, key)}: missing or damaged: run the collection again")
         if "error" in found:
             raise InvalidInput(str(found["error"]))
         return found
@@ -116,7 +122,7 @@ def whole_file(path: pathlib.Path) -> Any:
 
 
 def compute_once(store: Store, task: str, key: str, compute: Callable[[], Arrays]) -> str | None:
-    """Make a result unless it exists. What the input is to blame for is recorded as the result.
+    """Make a result unless it exists. What the meshes are to blame for is recorded as the result; what may pass is not.
 
     Returns
     -------
@@ -136,7 +142,9 @@ def compute_once(store: Store, task: str, key: str, compute: Callable[[], Arrays
             raise
         except MemoryError:
             return "there is not enough memory for it"  # on another machine there may be
-        except (InvalidInput, IoError, NumericalError, ValueError, ArithmeticError, np.linalg.LinAlgError) as error:
+        except (MissingResult, IoError) as error:
+            return str(error)
+        except (InvalidInput, NumericalError, ArithmeticError, np.linalg.LinAlgError) as error:
             found = {"error": np.array(str(error))}
         store.save(task, key, found)
     return str(found["error"]) if "error" in found else None

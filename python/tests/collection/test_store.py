@@ -8,7 +8,9 @@ import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection.folder import mesh_file, meshes_in
-from counterpart3d.collection.store import Store, compute_once, key_of, whole_file
+from counterpart3d.collection.pairs import match_pair
+from counterpart3d.collection.shapes import prepare, shape_key
+from counterpart3d.collection.store import MissingResult, Store, compute_once, key_of, whole_file
 
 KEY = key_of("task", "input")
 
@@ -85,6 +87,35 @@ def test_a_failure_is_recorded_once(store):
     assert len(calls) == 1
     with pytest.raises(cp.InvalidInput, match="triangle 7"):
         store.get("task", KEY)
+
+
+@pytest.mark.parametrize("passing", [cp.IoError("bone.ply: cannot be opened"), MissingResult("not seen yet")])
+def test_what_may_pass_is_not_recorded(store, passing):
+    def fail():
+        raise passing
+
+    assert compute_once(store, "task", KEY, fail) == str(passing)
+    assert compute_once(store, "task", KEY, lambda: {"a": np.arange(3)}) is None
+
+
+def test_a_pair_is_matched_once_its_shapes_are_seen(store, tmp_path):
+    keys = []
+    for seed in (1, 2):
+        cp.write(cp.deform(cp.make_icosphere(2), warp=0.3, seed=seed), tmp_path / f"{seed}.ply")
+        file = mesh_file(tmp_path / f"{seed}.ply")
+        assert prepare(store, file) is None
+        keys.append(shape_key(file.content))
+    path = store.path("shapes", keys[1])
+    path.rename(tmp_path / "away.npz")
+    assert "missing or damaged" in match_pair(store, *keys, False)
+    (tmp_path / "away.npz").rename(path)
+    assert match_pair(store, *keys, False) is None
+
+
+def test_another_version_takes_nothing_over(monkeypatch):
+    before = key_of("task", "a")
+    monkeypatch.setattr("counterpart3d.collection.store.__version__", "0.0.0")
+    assert key_of("task", "a") != before
 
 
 def test_a_full_disk_stops_and_leaves_nothing_behind(store, tmp_path, monkeypatch):
