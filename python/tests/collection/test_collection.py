@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from counterpart3d.collection import Collection
+from counterpart3d.collection import Collection, addition, tables
 from counterpart3d.collection.command_line import collection as command
 from counterpart3d.collection.command_line import retrieve as retrieve_command
+from counterpart3d.collection.store import whole_file
 from counterpart3d.collection.surfaces import nearest_points
 
 from .conftest import write_family
@@ -209,6 +210,36 @@ def test_new_specimens_join(made, tmp_path):
     assert len((tmp_path / "out" / "scores.csv").read_text().splitlines()) == 9
     again = found.add(tmp_path / "new", **QUICK)
     assert again.names == found.names
+
+
+def opened(folder):
+    found = Collection(folder)
+    return found.names, found.left_out, {name: array.tolist() for name, array in found._arrays.items()}
+
+
+@pytest.mark.parametrize("last", ["model.npz", "scores.csv", "collection.json"])
+def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch, last):
+    """Killed before each of the files that are replaced; run again it ends as if it had not been."""
+    out, new = tmp_path / "out", tmp_path / "new"
+    shutil.copytree(made[0].folder, out, copy_function=shutil.copy2)
+    write_family(new, 1, seed=5)
+    before = opened(out)
+
+    def killed(path):
+        if path.name == last:
+            raise KeyboardInterrupt
+        return whole_file(path)
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(addition, "whole_file", killed)
+        patch.setattr(tables, "whole_file", killed)
+        Collection(out).add(new, **QUICK)
+    assert opened(out) == before
+    found = Collection(out).add(new, **QUICK)
+    assert found.names == [*NAMES, "new0"] and len(found.model.scores) == 7
+    rows = list(csv.DictReader((out / "scores.csv").open(newline="")))
+    assert [row["subject"] for row in rows] == found.names
+    np.testing.assert_allclose([float(row["PC1"]) for row in rows], found.model.scores[:, 0], rtol=1e-4)
 
 
 @pytest.mark.parametrize(
