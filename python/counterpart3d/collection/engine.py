@@ -16,7 +16,7 @@ from .choice import Network, network_of
 from .correspondence import corners_of
 from .folder import MeshFile, mesh_file, meshes_in
 from .made import Made
-from .outputs import write_outputs
+from .outputs import write_manifest, write_outputs
 from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
 from .quality import quality
 from .report import write_report
@@ -39,6 +39,7 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
         A result cannot be written.
     """
     target = pathlib.Path(out)
+    refuse_inside(target, folder)
     store = Store(os.path.abspath(target / "work"))
     files = meshes_in(folder)
     apart = _template_apart(files.meshes, settings)
@@ -63,7 +64,21 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     measures = measured(made)
     write_outputs(made, target, measures, progress)
     write_report(made, target / "report.html", measures, progress)
+    write_manifest(made, target, measures)
     return made
+
+
+def refuse_inside(out: pathlib.Path, folder: str) -> None:
+    """What is written must not be read as specimens by the next run, nor lie among them.
+
+    Raises
+    ------
+    InvalidInput
+        The output is the folder of the meshes, or in it.
+    """
+    target, source = out.resolve(), pathlib.Path(folder).resolve()
+    if target == source or source in target.parents:
+        raise InvalidInput(f"{out}: lies in {folder}, the folder of the meshes: write to another folder")
 
 
 def measured(made: Made) -> dict[str, Any]:

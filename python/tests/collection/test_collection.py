@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from counterpart3d.collection import Collection, addition, tables
+from counterpart3d.collection import Collection, addition, engine, outputs, tables
 from counterpart3d.collection.command_line import collection as command
 from counterpart3d.collection.command_line import retrieve as retrieve_command
 from counterpart3d.collection.store import whole_file
@@ -212,6 +212,23 @@ def test_new_specimens_join(made, tmp_path):
     assert again.names == found.names
 
 
+@pytest.mark.parametrize("last", ["write_tables", "write_report"])
+def test_what_is_written_in_part_is_no_collection(tmp_path, monkeypatch, last):
+    """An earlier run's collection.json does not stand for the files of one that was killed."""
+    write_family(tmp_path / "in", 3)
+    Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+
+    def killed(*_):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(outputs if last == "write_tables" else engine, last, killed)
+        Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    with pytest.raises(cp.InvalidInput, match="no finished collection"):
+        Collection(tmp_path / "out")
+    assert len(Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK).names) == 3
+
+
 def opened(folder):
     found = Collection(folder)
     return found.names, found.left_out, {name: array.tolist() for name, array in found._arrays.items()}
@@ -247,6 +264,8 @@ def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch,
     [
         (["none", "-o", "out"], "no such folder"),
         (["one", "-o", "out"], "two meshes or more"),
+        (["one", "-o", "one"], "lies in one, the folder of the meshes"),
+        (["one", "-o", "one/out"], "lies in one, the folder of the meshes"),
         (["one", "-o", "out", "--rounds", "0"], "rounds must be 1 .. 10"),
         (["one", "-o", "out", "--landmarks", "lost.mrk.json"], "lost.mrk.json"),
         (["one", "-o", "out", "--template", "lost.ply"], "lost.ply"),
