@@ -16,7 +16,7 @@ from .. import SurfaceMap, write, write_landmarks, write_map
 from .._arrays import FloatArray
 from .._landmarks import Axes
 from .correspondence import positions, template_points
-from .folder import MeshFile, meshes_in
+from .folder import MeshFile, in_natural_order, meshes_in
 from .joining import join, joined_key
 from .made import scattered
 from .procrustes import aligned_to, moved
@@ -61,7 +61,7 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
         else:
             left_out[specimens[i].name] = message
         progress.step("joined", done + 1, len(items))
-    _write(base, sorted(joined, key=lambda file: file.name), left_out)
+    _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out)
 
 
 def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:

@@ -50,9 +50,10 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     root = _root(specimens, settings)
     if len(specimens) - len(apart) < 2:
         raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out)}")
-    network = network_of(runner, store, specimens, settings, progress, root)
+    alone = root if apart else None
+    network = network_of(runner, store, specimens, settings, progress, root, alone)
     progress.say(f"{specimens[network.tree.root].name} is the template")
-    registered = registered_specimens(runner, store, specimens, network, settings, progress, root if apart else None)
+    registered = registered_specimens(runner, store, specimens, network, settings, progress, alone)
     registered = agreed_specimens(runner, store, specimens, network, settings, registered, progress)
     if len(registered.members) < 2:
         raise InvalidInput(f"{folder}: fewer than two specimens could be registered; {_first(left_out)}")

@@ -48,12 +48,17 @@ def all_pairs(n: int) -> list[Edge]:
     return [(i, j) for i in range(n) for j in range(i + 1, n)]
 
 
-def pairs_in_time(n: int, spacing: int = 8) -> list[Edge]:
-    """Frames with the next and the one after; and key frames, every eighth, with each other: these close the drift."""
+def pairs_in_time(n: int, spacing: int = 8, *, template: int | None = None) -> list[Edge]:
+    """Frames with the next and the one after; and key frames, every eighth, with each other: these close the drift.
+
+    The key frames are matched with the template too, which is one of the n frames, or stands after them.
+    """
     edges = {(i, j) for i in range(n) for j in (i + 1, i + 2) if j < n}
     keys = list(range(0, n, spacing))
     edges |= {_edge(i, j) for a, i in enumerate(keys) for j in keys[a + 1 : a + 3]}
-    edges |= {_edge(keys[len(keys) // 2], i) for i in keys if i != keys[len(keys) // 2]}
+    for center in (keys[len(keys) // 2], template):
+        if center is not None:
+            edges |= {_edge(center, i) for i in keys if i != center}
     return sorted(edges)
 
 

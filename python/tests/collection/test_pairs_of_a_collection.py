@@ -9,8 +9,10 @@ import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection.chirality import mirrored_shapes
+from counterpart3d.collection.choice import pairs_to_match
 from counterpart3d.collection.descriptors import total_distances
 from counterpart3d.collection.graph import all_pairs, held_out, medoid, pairs_in_time, sparse_pairs, spread_out
+from counterpart3d.collection.settings import Settings
 from counterpart3d.collection.tree import composed, spanning_tree
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
@@ -78,6 +80,15 @@ def test_frames_are_matched_with_those_near_in_time_and_key_frames():
     assert {(i, i + 1) for i in range(49)} <= set(edges)
     assert len(edges) < 4 * 50 and is_connected(50, edges)
     assert any(j - i > 8 for i, j in edges)
+
+
+@pytest.mark.parametrize(("template", "apart"), [(0, None), (3, None), (19, None), (20, 20)])
+def test_no_frame_is_lost_to_a_template(template, apart):
+    n = 20 + (apart is not None)
+    edges = pairs_to_match(None, [None] * n, Settings(pairs="sequence"), template, apart)
+    assert {(i, i + 1) for i in range(19)} <= set(edges) and is_connected(n, edges)
+    assert {tuple(sorted((template, i))) for i in (0, 8, 16) if i != template} <= set(edges)
+    assert all(i < j for i, j in edges) and (apart is None or (18, apart) not in edges)
 
 
 def test_anchors_are_spread():

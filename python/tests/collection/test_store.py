@@ -148,6 +148,13 @@ def test_folders_are_read_by_name_and_content(tmp_path):
     assert mesh_file(tmp_path / "b.ply") == found.meshes[2]
 
 
+def test_frames_come_in_the_order_of_their_numbers(tmp_path):
+    names = ["frame1", "frame2", "frame10", "frame100", "frame100b", "take2frame1"]
+    for i, name in enumerate(reversed(names)):
+        (tmp_path / f"{name}.ply").write_bytes(b"%d" % i)
+    assert [file.name for file in meshes_in(tmp_path).meshes] == names
+
+
 def test_folders_that_hold_nothing_are_refused(tmp_path):
     with pytest.raises(cp.InvalidInput, match="holds no mesh"):
         meshes_in(tmp_path)
