@@ -36,7 +36,9 @@ def match_pair(store: Store, a: str, b: str, mirror: bool) -> str | None:
 
 def _readings(store: Store, shapes: tuple[Arrays, Arrays], mirrored: bool) -> Arrays:
     a, b = mesh_of(shapes[0], mirrored=mirrored), mesh_of(shapes[1])
-    found = match_spectral(prepared(a, store), prepared(b, store), n_alternatives=N_RUNNERS_UP, n_threads=1)
+    found = match_spectral(
+        prepared(a, store), prepared(b, store), n_alternatives=N_RUNNERS_UP, mirror="never", n_threads=1
+    )
     forward = np.stack([found.target_from_source, *(other.target_from_source for other in found.alternatives)])
     backward = [found.source_from_target, *(inverse(row, b.vertices) for row in forward[1:])]
     return {

@@ -59,7 +59,7 @@ def nearest_vertices(points: FloatArray, scan: Mesh) -> IntArray:
 def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays:
     """Refine the map without a search, then bend the template onto the scan."""
     refined = match_spectral(
-        prepared(model, store), prepared(scan, store), initial=image, n_alternatives=0, n_threads=1
+        prepared(model, store), prepared(scan, store), initial=image, mirror="never", n_alternatives=0, n_threads=1
     )
     points = project_map(model, scan, refined.target_from_source, n_threads=1)
     return {
