@@ -75,7 +75,9 @@ def surface(image, target):
     weights = np.zeros((len(image), 3))
     corner_of = np.zeros((target.n_vertices, 2), np.int32)
     for c in range(3):
-        corner_of[target.triangles[:, c]] = np.column_stack([np.arange(target.n_triangles), np.full(target.n_triangles, c)])
+        corner_of[target.triangles[:, c]] = np.column_stack(
+            [np.arange(target.n_triangles), np.full(target.n_triangles, c)]
+        )
     matched = image >= 0
     triangle[matched] = corner_of[image[matched], 0]
     weights[matched, corner_of[image[matched], 1]] = 1
