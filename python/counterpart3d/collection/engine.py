@@ -55,8 +55,6 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     progress.say(f"{specimens[network.tree.root].name} is the template")
     registered = registered_specimens(runner, store, specimens, network, settings, progress, alone)
     registered = agreed_specimens(runner, store, specimens, network, settings, registered, progress)
-    if len(registered.members) < 2:
-        raise InvalidInput(f"{folder}: fewer than two specimens could be registered; {_first(left_out)}")
     model = principal_modes(registered.alignment.aligned, registered.triangles, registered.weights)
     between = disagreement(store, specimens, network, registered)
     rows = quality(store, specimens, network, registered, model, between, left_out)

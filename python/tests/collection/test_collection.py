@@ -12,9 +12,11 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from counterpart3d.collection import Collection, addition, engine, outputs, tables
+from counterpart3d.collection import Collection, addition, choice, engine, outputs, rounds, tables
 from counterpart3d.collection.command_line import collection as command
 from counterpart3d.collection.command_line import retrieve as retrieve_command
+from counterpart3d.collection.pairs import match_pair
+from counterpart3d.collection.runner import ThisProcess
 from counterpart3d.collection.store import whole_file
 from counterpart3d.collection.surfaces import nearest_points
 
@@ -227,6 +229,40 @@ def test_what_is_written_in_part_is_no_collection(tmp_path, monkeypatch, last):
     with pytest.raises(cp.InvalidInput, match="no finished collection"):
         Collection(tmp_path / "out")
     assert len(Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK).names) == 3
+
+
+def test_one_pair_that_fails_stops_nothing(tmp_path, monkeypatch):
+    write_family(tmp_path / "in", 4)
+    calls = []
+
+    def failing(*item):
+        calls.append(item)
+        if len(calls) == 2:
+            raise TypeError("a defect")
+        return match_pair(*item)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(choice, "match_pair", failing)
+        found = Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    assert len(found.names) == 4 and found.measures["pairs_failed"] == 1
+    again = Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    assert again.measures["pairs_failed"] == 0  # it was not recorded
+
+
+def test_if_all_fits_fail_it_says_why(tmp_path, monkeypatch):
+    write_family(tmp_path / "in", 3)
+    monkeypatch.setattr(rounds, "register", lambda *_: "triangle 7 is degenerate")
+    with pytest.raises(cp.InvalidInput, match=r"fewer than two .* could be registered; shape0: triangle 7"):
+        Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+
+
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), cp.Canceled("")])
+def test_a_full_disk_and_ctrl_c_end_the_run(error):
+    def fail(_):
+        raise error
+
+    with pytest.raises(type(error)):
+        list(ThisProcess().outcomes(fail, [(1,), (2,)]))
 
 
 def opened(folder):
