@@ -19,7 +19,7 @@ from .correspondence import positions, template_points
 from .folder import MeshFile, in_natural_order, meshes_in
 from .joining import join, joined_key
 from .made import scattered
-from .procrustes import aligned_to, moved
+from .procrustes import aligned_to, moved, size_of_aligned
 from .runner import Progress, Runner
 from .shapes import shape_key
 from .specimens import prepared_specimens
@@ -74,11 +74,12 @@ def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
 def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None:
     """A run that is killed here changes nothing: what collection.json, written last, does not name does not count."""
     old = base.content["members"]
+    size = None if base.content["keep_size"] else size_of_aligned(base.arrays["matrices"], base.arrays["sizes"])
     members, scores, sizes, matrices = [], [], [], []
     for file in joined:
         registration = str(base.store.get("joined", joined_key(base.content["template"], file.content))["registration"])
         vertices = base.store.get("registrations", registration)["vertices"]
-        matrix = aligned_to(vertices, base.model.mean, base.model.weights, keep_size=base.content["keep_size"])
+        matrix = aligned_to(vertices, base.model.mean, base.model.weights, size=size)
         scores.append(base.model.project(moved(matrix, vertices)))
         centered = vertices - base.model.weights @ vertices
         sizes.append(float(np.sqrt(base.model.weights @ (centered**2).sum(axis=1))))
