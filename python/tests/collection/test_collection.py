@@ -101,7 +101,7 @@ def test_tables(made):
     columns = {"mean_dist", "p99_over_mean", "coverage", "cycle_error", "turned_triangles", "confidence"}
     assert columns <= set(rows["ring"])
     assert all(float(rows[name]["coverage"]) > 0.95 for name in NAMES)
-    assert "distinct" in rows["tet"]["remark"] and rows["tet"]["mean_dist"] == ""
+    assert "at least 20 vertices" in rows["tet"]["remark"] and rows["tet"]["mean_dist"] == ""
     scores = {row["subject"]: row for row in csv.DictReader((found.folder / "scores.csv").open(newline=""))}
     np.testing.assert_allclose([float(scores[n]["PC1"]) for n in NAMES], found.model.scores[:, 0], rtol=1e-4)
     assert found.measures["held_out_pairs"] >= 1 and found.measures["held_out_cycle_error"] < 3
