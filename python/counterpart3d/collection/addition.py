@@ -16,10 +16,10 @@ from .. import SurfaceMap, write, write_landmarks, write_map
 from .._arrays import FloatArray
 from .._landmarks import Axes
 from .correspondence import positions, template_points
-from .folder import MeshFile, meshes_in
+from .folder import MeshFile, in_natural_order, meshes_in
 from .joining import join, joined_key
 from .made import scattered
-from .procrustes import aligned_to, moved
+from .procrustes import aligned_to, moved, size_of_aligned
 from .runner import Progress, Runner
 from .shapes import shape_key
 from .specimens import prepared_specimens
@@ -61,7 +61,7 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
         else:
             left_out[specimens[i].name] = message
         progress.step("joined", done + 1, len(items))
-    _write(base, sorted(joined, key=lambda file: file.name), left_out)
+    _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out)
 
 
 def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
@@ -72,29 +72,33 @@ def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
 
 
 def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None:
-    scores, sizes, matrices = [], [], []
+    """A run that is killed here changes nothing: what collection.json, written last, does not name does not count."""
+    old = base.content["members"]
+    size = None if base.content["keep_size"] else size_of_aligned(base.arrays["matrices"], base.arrays["sizes"])
+    members, scores, sizes, matrices = [], [], [], []
     for file in joined:
         registration = str(base.store.get("joined", joined_key(base.content["template"], file.content))["registration"])
         vertices = base.store.get("registrations", registration)["vertices"]
-        matrix = aligned_to(vertices, base.model.mean, base.model.weights, keep_size=base.content["keep_size"])
+        matrix = aligned_to(vertices, base.model.mean, base.model.weights, size=size)
         scores.append(base.model.project(moved(matrix, vertices)))
         centered = vertices - base.model.weights @ vertices
         sizes.append(float(np.sqrt(base.model.weights @ (centered**2).sum(axis=1))))
         matrices.append(matrix)
-        _write_specimen(base, file, registration, vertices)
+        members.append(_written_specimen(base, file, registration, vertices))
+    arrays = {**base.arrays, "names": np.array([member["name"] for member in [*old, *members]])}
     for name, rows in (("scores", scores), ("sizes", sizes), ("matrices", matrices)):
         if rows:
-            base.arrays[name] = np.concatenate([base.arrays[name], np.stack([np.asarray(row) for row in rows])])
-    base.arrays["names"] = np.array([member["name"] for member in base.content["members"]])
-    base.content["left_out"] |= left_out
+            arrays[name] = np.concatenate([arrays[name], np.stack([np.asarray(row) for row in rows])])
+    content = {**base.content, "members": [*old, *members], "left_out": {**base.content["left_out"], **left_out}}
     with whole_file(base.folder / "model.npz") as out:
-        np.savez_compressed(out, **base.arrays)  # type: ignore[arg-type]
-    _extend_scores(base.folder / "scores.csv", [file.name for file in joined], sizes, scores)
+        np.savez_compressed(out, **arrays)  # type: ignore[arg-type]
+    _extend_scores(base.folder / "scores.csv", len(old), [file.name for file in joined], sizes, scores)
     with whole_file(base.folder / "collection.json") as out:
-        out.write(json.dumps(base.content, indent=1).encode())
+        out.write(json.dumps(content, indent=1).encode())
 
 
-def _write_specimen(base: Base, file: MeshFile, registration: str, vertices: FloatArray) -> None:
+def _written_specimen(base: Base, file: MeshFile, registration: str, vertices: FloatArray) -> dict[str, Any]:
+    """Writes its files; returns its entry in collection.json."""
     triangles = base.model.triangles
     shape, fit = base.store.get("shapes", shape_key(file.content)), base.store.get("registrations", registration)
     write((vertices, triangles), base.folder / "meshes" / f"{file.name}.ply")
@@ -107,20 +111,20 @@ def _write_specimen(base: Base, file: MeshFile, registration: str, vertices: Flo
     if marks:
         axes: Axes = "RAS" if base.content["axes"] == "RAS" else "LPS"
         write_landmarks(marks, base.folder / "landmarks" / f"{file.name}.mrk.json", axes=axes)
-    base.content["members"].append(
-        {
-            "name": file.name,
-            "file": file.path,
-            "content": file.content,
-            "shape": shape_key(file.content),
-            "registration": registration,
-            "mirrored": False,
-        }
-    )
+    return {
+        "name": file.name,
+        "file": file.path,
+        "content": file.content,
+        "shape": shape_key(file.content),
+        "registration": registration,
+        "mirrored": False,
+    }
 
 
-def _extend_scores(path: pathlib.Path, names: list[str], sizes: list[float], scores: list[FloatArray]) -> None:
+def _extend_scores(
+    path: pathlib.Path, n_before: int, names: list[str], sizes: list[float], scores: list[FloatArray]
+) -> None:
     with path.open(newline="") as file:
         rows = list(csv.reader(file))
     new = [[name, size, *row] for name, size, row in zip(names, sizes, scores, strict=True)]
-    write_table(path, rows[0], [*rows[1:], *new])
+    write_table(path, rows[0], [*rows[1 : n_before + 1], *new])

@@ -70,16 +70,22 @@ class Network:
 
 
 def network_of(
-    runner: Runner, store: Store, specimens: list[Specimen], settings: Settings, progress: Progress, root: int | None
+    runner: Runner,
+    store: Store,
+    specimens: list[Specimen],
+    settings: Settings,
+    progress: Progress,
+    root: int | None,
+    apart: int | None,
 ) -> Network:
-    """Match and choose.
+    """Match and choose; `root` is the template if it was given, `apart` too if it is none of the specimens.
 
     Raises
     ------
     InvalidInput
         No pair could be matched.
     """
-    edges = pairs_to_match(store, specimens, settings, root)
+    edges = pairs_to_match(store, specimens, settings, root, apart)
     mirror = settings.mirror == "auto"
     progress.say(f"{len(edges)} pairs of {len(specimens)} shapes are matched")
     failures = _match(runner, store, specimens, edges, mirror, progress)
@@ -107,13 +113,14 @@ def network_of(
     return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures)
 
 
-def pairs_to_match(store: Store, specimens: list[Specimen], settings: Settings, root: int | None) -> list[Edge]:
+def pairs_to_match(
+    store: Store, specimens: list[Specimen], settings: Settings, root: int | None, apart: int | None
+) -> list[Edge]:
     """The pairs, as the settings want them."""
     if settings.pairs == "all":
         return graph.all_pairs(len(specimens))
     if settings.pairs == "sequence":
-        edges = graph.pairs_in_time(len(specimens) - (root is not None))
-        return edges if root is None else sorted({*edges, *((i, root) for i in range(0, root, 8))})
+        return graph.pairs_in_time(len(specimens) - (apart is not None), template=root)
     descriptors = np.stack([specimen.shape(store)["descriptor"] for specimen in specimens])
     center = graph.medoid(descriptors) if root is None else root
     return graph.sparse_pairs(descriptors, center, settings.seed)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.spatial.distance import cdist
 
 from .. import heat_kernel_signature, spectrum
 from .._arrays import FloatArray
@@ -35,5 +36,11 @@ def descriptor(mesh: MeshLike) -> FloatArray:
 
 def distances_between(first: FloatArray, second: FloatArray) -> FloatArray:
     """Between the rows of two sets of descriptors, (n, m)."""
-    result: FloatArray = np.linalg.norm(first[:, None, :] - second[None, :, :], axis=2)
+    result: FloatArray = cdist(first, second)
     return result
+
+
+def total_distances(descriptors: FloatArray, block: int = 256) -> FloatArray:
+    """From each row to all, (n,). O(n^2) time, O(block n) memory."""
+    starts = range(0, len(descriptors), block)
+    return np.concatenate([cdist(descriptors[i : i + block], descriptors).sum(axis=1) for i in starts])

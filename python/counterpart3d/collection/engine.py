@@ -16,7 +16,7 @@ from .choice import Network, network_of
 from .correspondence import corners_of
 from .folder import MeshFile, mesh_file, meshes_in
 from .made import Made
-from .outputs import write_outputs
+from .outputs import write_manifest, write_outputs
 from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
 from .quality import quality
 from .report import write_report
@@ -39,6 +39,7 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
         A result cannot be written.
     """
     target = pathlib.Path(out)
+    refuse_inside(target, folder)
     store = Store(os.path.abspath(target / "work"))
     files = meshes_in(folder)
     apart = _template_apart(files.meshes, settings)
@@ -49,12 +50,11 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     root = _root(specimens, settings)
     if len(specimens) - len(apart) < 2:
         raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out)}")
-    network = network_of(runner, store, specimens, settings, progress, root)
+    alone = root if apart else None
+    network = network_of(runner, store, specimens, settings, progress, root, alone)
     progress.say(f"{specimens[network.tree.root].name} is the template")
-    registered = registered_specimens(runner, store, specimens, network, settings, progress, root if apart else None)
+    registered = registered_specimens(runner, store, specimens, network, settings, progress, alone)
     registered = agreed_specimens(runner, store, specimens, network, settings, registered, progress)
-    if len(registered.members) < 2:
-        raise InvalidInput(f"{folder}: fewer than two specimens could be registered; {_first(left_out)}")
     model = principal_modes(registered.alignment.aligned, registered.triangles, registered.weights)
     between = disagreement(store, specimens, network, registered)
     rows = quality(store, specimens, network, registered, model, between, left_out)
@@ -63,7 +63,21 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     measures = measured(made)
     write_outputs(made, target, measures, progress)
     write_report(made, target / "report.html", measures, progress)
+    write_manifest(made, target, measures)
     return made
+
+
+def refuse_inside(out: pathlib.Path, folder: str) -> None:
+    """What is written must not be read as specimens by the next run, nor lie among them.
+
+    Raises
+    ------
+    InvalidInput
+        The output is the folder of the meshes, or in it.
+    """
+    target, source = out.resolve(), pathlib.Path(folder).resolve()
+    if target == source or source in target.parents:
+        raise InvalidInput(f"{out}: lies in {folder}, the folder of the meshes: write to another folder")
 
 
 def measured(made: Made) -> dict[str, Any]:

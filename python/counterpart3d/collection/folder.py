@@ -7,6 +7,7 @@ from __future__ import annotations
 import dataclasses
 import hashlib
 import pathlib
+import re
 
 from .. import InvalidInput
 
@@ -38,7 +39,7 @@ class Folder:
     Attributes
     ----------
     meshes : list of MeshFile
-        By name.
+        By name, numbers in it by value: frame2 before frame10.
     left_out : dict of str to str
         Files that are not used, and why, as a sentence.
     """
@@ -58,7 +59,8 @@ def meshes_in(folder: str | pathlib.Path) -> Folder:
     root = pathlib.Path(folder)
     if not root.is_dir():
         raise InvalidInput(f"{root}: no such folder")
-    paths = sorted(path for path in root.iterdir() if path.suffix.lower() in EXTENSIONS)
+    paths = [path for path in root.iterdir() if path.suffix.lower() in EXTENSIONS]
+    paths.sort(key=lambda path: (in_natural_order(path.stem), path.name))
     if not paths:
         raise InvalidInput(f"{root}: holds no mesh: {' '.join(EXTENSIONS)} are read")
     stems = [path.stem for path in paths]
@@ -78,6 +80,11 @@ def meshes_in(folder: str | pathlib.Path) -> Folder:
         known[content] = name
         meshes.append(MeshFile(name, str(path.resolve()), content))
     return Folder(meshes, left_out)
+
+
+def in_natural_order(name: str) -> tuple[str | int, ...]:
+    """What names are sorted by: text, number, text, ..."""
+    return tuple(int(part) if i % 2 else part for i, part in enumerate(re.split(r"(\d+)", name)))
 
 
 def mesh_file(path: str | pathlib.Path) -> MeshFile:

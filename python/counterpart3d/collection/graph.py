@@ -7,25 +7,26 @@ from __future__ import annotations
 import numpy as np
 
 from .._arrays import FloatArray
-from .descriptors import distances_between
+from .descriptors import distances_between, total_distances
 
 Edge = tuple[int, int]
 ALL_PAIRS_UP_TO = 6  # shapes
 ANCHORS_ABOVE, N_ANCHORS = 200, 48
 N_NEIGHBORS = 3
+N_ANCHORS_EACH = 4  # one more than needed: some are held out
 HELD_OUT = 0.1
 
 
 def medoid(descriptors: FloatArray) -> int:
     """The shape of the least total distance to the others."""
-    return int(np.argmin(distances_between(descriptors, descriptors).sum(axis=1)))
+    return int(np.argmin(total_distances(descriptors)))
 
 
 def sparse_pairs(descriptors: FloatArray, center: int, seed: int = 0) -> list[Edge]:
     """The nearest by descriptor, a random spanning tree, and a star around the center.
 
     With more than 200 shapes this is done for 48 anchors, spread out by descriptor; every other shape is matched with
-    the three anchors nearest to it: O(N) pairs.
+    the four anchors nearest to it: O(N) pairs.
     """
     n = len(descriptors)
     if n <= ALL_PAIRS_UP_TO:
@@ -47,29 +48,46 @@ def all_pairs(n: int) -> list[Edge]:
     return [(i, j) for i in range(n) for j in range(i + 1, n)]
 
 
-def pairs_in_time(n: int, spacing: int = 8) -> list[Edge]:
-    """Frames with the next and the one after; and key frames, every eighth, with each other: these close the drift."""
+def pairs_in_time(n: int, spacing: int = 8, *, template: int | None = None) -> list[Edge]:
+    """Frames with the next and the one after; and key frames, every eighth, with each other: these close the drift.
+
+    The key frames are matched with the template too, which is one of the n frames, or stands after them.
+    """
     edges = {(i, j) for i in range(n) for j in (i + 1, i + 2) if j < n}
     keys = list(range(0, n, spacing))
     edges |= {_edge(i, j) for a, i in enumerate(keys) for j in keys[a + 1 : a + 3]}
-    edges |= {_edge(keys[len(keys) // 2], i) for i in keys if i != keys[len(keys) // 2]}
+    for center in (keys[len(keys) // 2], template):
+        if center is not None:
+            edges |= {_edge(center, i) for i in keys if i != center}
     return sorted(edges)
 
 
 def held_out(edges: list[Edge], n: int, seed: int = 0) -> list[Edge]:
     """A tenth of the pairs, which the choice does not see: what it says of them is the honest error.
 
-    Each shape keeps at least two others.
+    Each shape keeps at least three others, and each pair that stays at least one cycle of three where it had one.
+    O(edges degree).
     """
-    degree = np.bincount(np.array(edges).ravel(), minlength=n)
+    neighbors: list[set[int]] = [set() for _ in range(n)]
+    for i, j in edges:
+        neighbors[i].add(j)
+        neighbors[j].add(i)
+
+    def can_go(i: int, j: int) -> bool:
+        if min(len(neighbors[i]), len(neighbors[j])) <= 3:
+            return False
+        around = neighbors[i] & neighbors[j]
+        return all(len(neighbors[k] & neighbors[end]) > 1 for k in around for end in (i, j))
+
     chosen: list[Edge] = []
     for k in np.random.default_rng(seed).permutation(len(edges)):
         i, j = edges[k]
         if len(chosen) >= round(HELD_OUT * len(edges)):
             break
-        if min(degree[i], degree[j]) > 3:
+        if can_go(i, j):
             chosen.append((i, j))
-            degree[[i, j]] -= 1
+            neighbors[i].remove(j)
+            neighbors[j].remove(i)
     return sorted(chosen)
 
 
@@ -89,7 +107,7 @@ def _anchored_pairs(descriptors: FloatArray, center: int, seed: int) -> list[Edg
     others = np.setdiff1d(np.arange(len(descriptors)), anchors)
     for i in others:
         distance = np.linalg.norm(descriptors[anchors] - descriptors[i], axis=1)
-        edges |= {_edge(int(i), anchors[k]) for k in np.argsort(distance, kind="stable")[:3]}
+        edges |= {_edge(int(i), anchors[k]) for k in np.argsort(distance, kind="stable")[:N_ANCHORS_EACH]}
     return sorted(edges)
 
 

@@ -68,6 +68,11 @@ class Collection:
         self.notices: list[str] = content["notices"]
         self.measures: dict[str, Any] = content["measures"]
         fields = ("mean", "triangles", "weights", "modes", "variances", "scores")
+        n_members = len(self.names)
+        for name in ("scores", "sizes", "matrices", "names"):
+            if len(self._arrays[name]) < n_members:
+                raise InvalidInput(f"{self.folder}: model.npz holds fewer specimens than collection.json; run it again")
+            self._arrays[name] = self._arrays[name][:n_members]  # more are left of an addition that was killed
         self.model = Model(*(self._arrays[name] for name in fields))
 
     @classmethod

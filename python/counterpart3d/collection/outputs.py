@@ -23,7 +23,11 @@ N_MODE_MESHES, SIGMAS = 5, (-2, 2)
 
 
 def write_outputs(made: Made, out: pathlib.Path, measures: dict[str, Any], progress: Progress) -> None:
-    """All but the report."""
+    """All but the report and `collection.json`, which `write_manifest` writes last.
+
+    The one of an earlier run goes first: it does not hold for what is written now.
+    """
+    (out / "collection.json").unlink(missing_ok=True)
     for name in ("meshes", "maps", "modes", "landmarks"):
         (out / name).mkdir(parents=True, exist_ok=True)
     progress.start()
@@ -50,7 +54,6 @@ def write_outputs(made: Made, out: pathlib.Path, measures: dict[str, Any], progr
     write_tables(made, out, measures)
     write_shapeworks(made, out)
     write_statismo(made.model, out / "model.h5")
-    write_manifest(made, out, measures)
 
 
 def _write_points(made: Made, member: Member, out: pathlib.Path) -> dict[str, FloatArray]:

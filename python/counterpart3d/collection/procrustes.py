@@ -23,7 +23,7 @@ class Alignment:
     ----------
     aligned : ndarray, (n_shapes, n_vertices, 3)
     mean : ndarray, (n_vertices, 3)
-        Centered; of the average size of the shapes.
+        Of the aligned shapes: centered, and a little smaller than each of them.
     matrices : ndarray, (n_shapes, 4, 4)
         Multiply columns [x, y, z, 1] of each shape in its own frame.
     sizes : ndarray, (n_shapes,)
@@ -95,17 +95,26 @@ def rotation_between(source: FloatArray, target: FloatArray, weights: FloatArray
     return result
 
 
-def aligned_to(shape: FloatArray, mean: FloatArray, weights: FloatArray, *, keep_size: bool = False) -> FloatArray:
-    """The matrix, 4 x 4, that moves one shape onto a mean, which stays as it is."""
+def aligned_to(shape: FloatArray, mean: FloatArray, weights: FloatArray, *, size: float | None = None) -> FloatArray:
+    """The matrix, 4 x 4, that moves one shape onto a mean, which stays as it is.
+
+    `size` is what the shape is scaled to: that of the aligned shapes, which is not that of their mean, since a mean is
+    smaller; None keeps its own.
+    """
     w = weights / weights.sum()
     center, goal = w @ shape, w @ mean
     centered, around = shape - center, mean - goal
     linear = rotation_between(centered, around, w)
-    if not keep_size:
-        linear = linear * np.sqrt((w @ (around**2).sum(axis=1)) / (w @ (centered**2).sum(axis=1)))
+    if size is not None:
+        linear = linear * (size / np.sqrt(w @ (centered**2).sum(axis=1)))
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = linear, goal - linear @ center
     return matrix
+
+
+def size_of_aligned(matrices: FloatArray, sizes: FloatArray) -> float:
+    """The size that all shapes were scaled to, from the matrices and sizes of an `Alignment`."""
+    return float(np.cbrt(np.linalg.det(matrices[0, :3, :3])) * sizes[0])
 
 
 def moved(matrix: FloatArray, points: FloatArray) -> FloatArray:

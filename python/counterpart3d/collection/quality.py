@@ -14,7 +14,7 @@ from .statistics import Model, outliers
 from .store import Store
 
 Row = dict[str, str | float | bool]
-SUSPECT_COVERAGE, SUSPECT_ERROR = 0.9, 6.0
+SUSPECT_COVERAGE, SUSPECT_ERROR, SUSPECT_OUTLIER = 0.9, 6.0, 3.0
 
 
 def quality(
@@ -70,7 +70,7 @@ def remark(row: Row) -> str:
         said.append("its maps to its neighbors disagree with those of the collection")
     if row["turned_triangles"] > 0.005:  # type: ignore[operator]
         said.append("the template's mesh is folded on it")
-    if row["outlier"] > 2.5:  # type: ignore[operator]
+    if row["outlier"] > SUSPECT_OUTLIER:  # type: ignore[operator]
         said.append("it is unlike the others")
     if row["mirrored"]:
         said.append("it is a mirror image of most others")

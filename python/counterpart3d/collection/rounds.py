@@ -10,7 +10,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from .. import vertex_areas
+from .. import InvalidInput, vertex_areas
 from .._arrays import FloatArray, IntArray
 from .choice import Network
 from .consensus import Neighbor, agree, consensus_key
@@ -71,7 +71,13 @@ def registered_specimens(
     progress: Progress,
     apart: int | None,
 ) -> Registered:
-    """Register all that belong; `apart` is the specimen that only serves as the template."""
+    """Register all that belong; `apart` is the specimen that only serves as the template.
+
+    Raises
+    ------
+    InvalidInput
+        Fewer than two could be registered.
+    """
     root = network.tree.root
     reached = np.isfinite(network.tree.cost)
     members = [i for i in range(len(specimens)) if reached[i] and i not in network.strangers and i != apart]
@@ -85,6 +91,9 @@ def registered_specimens(
         failed = _round(runner, store, specimens, network, template, starts, what, progress)
         failures |= failed
         members = [i for i in members if i not in failed]
+        if len(members) < 2:
+            why = "".join(f"; {specimens[i].name}: {message}" for i, message in list(failures.items())[:1])
+            raise InvalidInput(f"fewer than two specimens could be registered{why}")
         keys = [registration_key(template, specimens[i].key, bool(network.mirrored[i]), starts[i][1]) for i in members]
         shapes = np.stack([store.get("registrations", key)["vertices"] for key in keys])
         before = store.get("shapes", template)["vertices"]

@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Protocol
 
-from .. import InvalidInput
+from .. import Canceled, InvalidInput
 
 Outcome = tuple[int, str | None]
 """Which item, and the message of its failure."""
@@ -21,7 +21,11 @@ MISSING = "collections run on Dask, which is not installed: pip install 'counter
 
 
 class Runner(Protocol):
-    """Runs one function on many items."""
+    """Runs one function on many items.
+
+    What one item raises is the message of its failure, and the others go on; only OSError, as of a full disk, and
+    Canceled end the run.
+    """
 
     def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
         """The outcome of each, as they come."""
@@ -33,7 +37,20 @@ class ThisProcess:
 
     def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
         for i, item in enumerate(items):
-            yield i, function(*item)
+            yield i, _message_of(function, item)
+
+
+def _message_of(function: Callable[..., str | None], item: tuple[Any, ...]) -> str | None:
+    try:
+        return function(*item)
+    except (OSError, Canceled):
+        raise
+    except MemoryError:
+        return "there is not enough memory for it"
+    except InvalidInput as error:
+        return str(error)
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
 
 
 class OnDask:
@@ -51,7 +68,7 @@ class OnDask:
         def submit(count: int) -> list[Any]:
             futures = []
             for i, item in itertools.islice(waiting, count):
-                future = self.client.submit(function, *item, pure=False, retries=1)
+                future = self.client.submit(_message_of, function, item, pure=False, retries=1)
                 number[future.key] = i
                 futures.append(future)
             return futures

@@ -15,6 +15,8 @@ import numpy as np
 from .._arrays import FloatArray, IntArray
 from .surfaces import nearest_points
 
+LEAST_DEVIATION = 0.15  # of the median: what is within half of it above is not unusual
+
 
 @dataclasses.dataclass(frozen=True)
 class Model:
@@ -75,7 +77,9 @@ def principal_modes(aligned: FloatArray, triangles: IntArray, weights: FloatArra
     largest = np.abs(flat).argmax(axis=1)
     sign = np.sign(flat[np.arange(len(flat)), largest])
     flat, vectors = flat * sign[:, None], vectors * sign
-    modes = flat.reshape(len(kept), -1, 3) / np.sqrt(w)[None, :, None]
+    # as flat / sqrt(w), but for vertices without area too
+    raw = (vectors / np.sqrt(np.maximum(variances * (n - 1), 1e-300))).T @ (aligned - mean).reshape(n, -1)
+    modes = raw.reshape(len(kept), -1, 3)
     return Model(mean, triangles, w, modes, variances, vectors * np.sqrt(variances * (n - 1)))
 
 
@@ -110,9 +114,15 @@ def specificity(aligned: FloatArray, model: Model, n_samples: int = 100, seed: i
 
 
 def outliers(model: Model) -> FloatArray:
-    """How unusual each shape is: Mahalanobis distance over the modes that hold 95 % of the variance, (n,)."""
-    if not len(model.variances):
-        return np.zeros(len(model.scores))
-    k = int(np.searchsorted(compactness(model), 0.95)) + 1
-    result: FloatArray = np.sqrt((model.scores[:, :k] ** 2 / model.variances[:k]).sum(axis=1) / k)
+    """How unusual each shape is, (n,): how far its distance from the mean is above the median, in standard deviations.
+
+    These are estimated from the median absolute deviation, so that outliers do not hide themselves: a Mahalanobis
+    distance over modes that they take part in can never exceed (n - 1) / sqrt(n). Zeros for fewer than five shapes.
+    """
+    distance = np.sqrt((model.scores**2).sum(axis=1))
+    if len(distance) < 5:
+        return np.zeros(len(distance))
+    median = np.median(distance)
+    deviation = 1.4826 * np.median(np.abs(distance - median))  # of a normal distribution
+    result: FloatArray = (distance - median) / max(deviation, LEAST_DEVIATION * median, 1e-300)
     return result

@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import tempfile
 import zipfile
 import zlib
@@ -24,15 +25,21 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from .. import Canceled, InvalidInput, IoError, NumericalError
+from .. import Canceled, InvalidInput, IoError, NumericalError, __version__
 
 Arrays = dict[str, npt.NDArray[Any]]
+KEY = re.compile("[0-9a-f]{32}")
+DAMAGED = (ValueError, EOFError, KeyError, NotImplementedError, RuntimeError, zipfile.BadZipFile, zlib.error)
 FORMAT = 1  # of what the tasks write: another number, and nothing older is taken for it
 
 
+class MissingResult(InvalidInput):
+    """A result that is not there, or not yet."""
+
+
 def key_of(task: str, *inputs: str, **settings: Any) -> str:
-    """The name of a result."""
-    text = json.dumps([FORMAT, task, inputs, settings], sort_keys=True, separators=(",", ":"))
+    """The name of a result; another version of the package has other names."""
+    text = json.dumps([FORMAT, __version__, task, inputs, settings], sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
@@ -49,19 +56,27 @@ class Store:
     folder: str
 
     def path(self, task: str, key: str) -> pathlib.Path:
-        """Where a result lies."""
+        """Where a result lies.
+
+        Raises
+        ------
+        InvalidInput
+            The key, which may come from a file, is no name that `key_of` gives.
+        """
+        if not isinstance(key, str) or not KEY.fullmatch(key):
+            raise InvalidInput(f"{self.folder}: {key!r} is no name of a result: run the collection again")
         return pathlib.Path(self.folder) / task / f"{key}.npz"
 
     def load(self, task: str, key: str) -> Arrays | None:
-        """A result, or None if it does not exist or is damaged; a damaged one is removed."""
+        """A result, or None if it does not exist or is damaged. Reading changes nothing."""
         path = self.path(task, key)
         try:
-            with np.load(path, allow_pickle=False) as file:
+            file = np.load(path, allow_pickle=False)
+            if not isinstance(file, np.lib.npyio.NpzFile):
+                return None
+            with file:
                 return dict(file)
-        except FileNotFoundError:
-            return None
-        except (ValueError, EOFError, KeyError, zipfile.BadZipFile, zlib.error):
-            path.unlink(missing_ok=True)
+        except (FileNotFoundError, *DAMAGED):
             return None
 
     def get(self, task: str, key: str) -> Arrays:
@@ -69,12 +84,14 @@ class Store:
 
         Raises
         ------
+        MissingResult
+            It does not: it may lie on another machine, or not be seen yet.
         InvalidInput
-            It does not, or it is the record of a failure.
+            It is the record of a failure.
         """
         found = self.load(task, key)
         if found is None:
-            raise InvalidInput(f"{self.path(task, key)}: missing or damaged: run the collection again")
+            raise MissingResult(f"{self.path(task, key)}: missing or damaged: run the collection again")
         if "error" in found:
             raise InvalidInput(str(found["error"]))
         return found
@@ -105,7 +122,7 @@ def whole_file(path: pathlib.Path) -> Any:
 
 
 def compute_once(store: Store, task: str, key: str, compute: Callable[[], Arrays]) -> str | None:
-    """Make a result unless it exists. What the input is to blame for is recorded as the result.
+    """Make a result unless it exists. What the meshes are to blame for is recorded as the result; what may pass is not.
 
     Returns
     -------
@@ -125,7 +142,9 @@ def compute_once(store: Store, task: str, key: str, compute: Callable[[], Arrays
             raise
         except MemoryError:
             return "there is not enough memory for it"  # on another machine there may be
-        except (InvalidInput, IoError, NumericalError, ValueError, ArithmeticError, np.linalg.LinAlgError) as error:
+        except (MissingResult, IoError) as error:
+            return str(error)
+        except (InvalidInput, NumericalError, ArithmeticError, np.linalg.LinAlgError) as error:
             found = {"error": np.array(str(error))}
         store.save(task, key, found)
     return str(found["error"]) if "error" in found else None

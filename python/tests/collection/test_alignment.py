@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from counterpart3d.collection.procrustes import aligned_to, generalized_procrustes, moved, rotation_between
+from counterpart3d.collection.procrustes import (
+    aligned_to,
+    generalized_procrustes,
+    moved,
+    rotation_between,
+    size_of_aligned,
+)
+from counterpart3d.collection.statistics import principal_modes
 from scipy.optimize import minimize
 from scipy.spatial.transform import Rotation
 
@@ -42,8 +49,21 @@ def test_nothing_depends_on_how_the_shapes_lie(shapes):
     first, second = (generalized_procrustes(s, weights) for s in (shapes, turned))
     sizes = [cost(f.aligned, weights) / (f.mean**2).sum() for f in (first, second)]
     assert sizes[0] == pytest.approx(sizes[1], rel=1e-6)
-    between = aligned_to(second.mean, first.mean, weights)
+    size = np.sqrt(((first.mean - first.mean.mean(axis=0)) ** 2).sum() / 40)
+    between = aligned_to(second.mean, first.mean, weights, size=size)
     np.testing.assert_allclose(moved(between, second.mean), first.mean, atol=1e-4 * np.abs(first.mean).max())
+
+
+@pytest.mark.parametrize("keep_size", [False, True])
+def test_a_member_that_is_aligned_again_has_the_scores_that_it_had(shapes, keep_size):
+    weights = np.linspace(1, 2, 40)
+    found = generalized_procrustes(shapes, weights, keep_size=keep_size)
+    model = principal_modes(found.aligned, np.zeros((0, 3), np.int32), weights)
+    size = None if keep_size else size_of_aligned(found.matrices, found.sizes)
+    for shape, matrix, scores in zip(shapes, found.matrices, model.scores, strict=True):
+        again = aligned_to(shape, model.mean, weights, size=size)
+        np.testing.assert_allclose(again, matrix, atol=1e-6)
+        np.testing.assert_allclose(model.project(moved(again, shape)), scores, atol=1e-6)
 
 
 def test_no_other_turn_of_a_shape_is_nearer(shapes):

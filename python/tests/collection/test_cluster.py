@@ -21,19 +21,21 @@ from .conftest import write_family
 
 
 def fragile(folder, number):
-    """Dies with its process: once for item 1, always for item 2."""
+    """Dies with its process: once for item 1, always for item 2; has a defect for item 4."""
     marker = pathlib.Path(folder) / f"died{number}"
     if number == 2 or (number == 1 and not marker.exists()):
         marker.touch()
         os.kill(os.getpid(), signal.SIGKILL)
+    if number == 4:
+        raise TypeError("a defect")
     return None if number != 3 else "no such luck"
 
 
 def test_workers_that_die_are_replaced_and_nothing_else_is_lost(tmp_path):
     with running(workers=2) as runner:
         found = dict(runner.outcomes(fragile, [(str(tmp_path), i) for i in range(6)]))
-    assert {i: found[i] for i in (0, 1, 4, 5)} == dict.fromkeys((0, 1, 4, 5))
-    assert found[3] == "no such luck"
+    assert {i: found[i] for i in (0, 1, 5)} == dict.fromkeys((0, 1, 5))
+    assert found[3] == "no such luck" and found[4] == "TypeError: a defect"
     assert "died again and again" in found[2]
 
 

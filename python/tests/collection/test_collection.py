@@ -12,9 +12,12 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
-from counterpart3d.collection import Collection
+from counterpart3d.collection import Collection, addition, choice, engine, outputs, rounds, tables
 from counterpart3d.collection.command_line import collection as command
 from counterpart3d.collection.command_line import retrieve as retrieve_command
+from counterpart3d.collection.pairs import match_pair
+from counterpart3d.collection.runner import ThisProcess
+from counterpart3d.collection.store import whole_file
 from counterpart3d.collection.surfaces import nearest_points
 
 from .conftest import write_family
@@ -211,11 +214,94 @@ def test_new_specimens_join(made, tmp_path):
     assert again.names == found.names
 
 
+@pytest.mark.parametrize("last", ["write_tables", "write_report"])
+def test_what_is_written_in_part_is_no_collection(tmp_path, monkeypatch, last):
+    """An earlier run's collection.json does not stand for the files of one that was killed."""
+    write_family(tmp_path / "in", 3)
+    Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+
+    def killed(*_):
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(outputs if last == "write_tables" else engine, last, killed)
+        Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    with pytest.raises(cp.InvalidInput, match="no finished collection"):
+        Collection(tmp_path / "out")
+    assert len(Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK).names) == 3
+
+
+def test_one_pair_that_fails_stops_nothing(tmp_path, monkeypatch):
+    write_family(tmp_path / "in", 4)
+    calls = []
+
+    def failing(*item):
+        calls.append(item)
+        if len(calls) == 2:
+            raise TypeError("a defect")
+        return match_pair(*item)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(choice, "match_pair", failing)
+        found = Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    assert len(found.names) == 4 and found.measures["pairs_failed"] == 1
+    again = Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+    assert again.measures["pairs_failed"] == 0  # it was not recorded
+
+
+def test_if_all_fits_fail_it_says_why(tmp_path, monkeypatch):
+    write_family(tmp_path / "in", 3)
+    monkeypatch.setattr(rounds, "register", lambda *_: "triangle 7 is degenerate")
+    with pytest.raises(cp.InvalidInput, match=r"fewer than two .* could be registered; shape0: triangle 7"):
+        Collection.build(tmp_path / "in", tmp_path / "out", rounds=1, **QUICK)
+
+
+@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), cp.Canceled("")])
+def test_a_full_disk_and_ctrl_c_end_the_run(error):
+    def fail(_):
+        raise error
+
+    with pytest.raises(type(error)):
+        list(ThisProcess().outcomes(fail, [(1,), (2,)]))
+
+
+def opened(folder):
+    found = Collection(folder)
+    return found.names, found.left_out, {name: array.tolist() for name, array in found._arrays.items()}
+
+
+@pytest.mark.parametrize("last", ["model.npz", "scores.csv", "collection.json"])
+def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch, last):
+    """Killed before each of the files that are replaced; run again it ends as if it had not been."""
+    out, new = tmp_path / "out", tmp_path / "new"
+    shutil.copytree(made[0].folder, out, copy_function=shutil.copy2)
+    write_family(new, 1, seed=5)
+    before = opened(out)
+
+    def killed(path):
+        if path.name == last:
+            raise KeyboardInterrupt
+        return whole_file(path)
+
+    with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
+        patch.setattr(addition, "whole_file", killed)
+        patch.setattr(tables, "whole_file", killed)
+        Collection(out).add(new, **QUICK)
+    assert opened(out) == before
+    found = Collection(out).add(new, **QUICK)
+    assert found.names == [*NAMES, "new0"] and len(found.model.scores) == 7
+    rows = list(csv.DictReader((out / "scores.csv").open(newline="")))
+    assert [row["subject"] for row in rows] == found.names
+    np.testing.assert_allclose([float(row["PC1"]) for row in rows], found.model.scores[:, 0], rtol=1e-4)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
         (["none", "-o", "out"], "no such folder"),
         (["one", "-o", "out"], "two meshes or more"),
+        (["one", "-o", "one"], "lies in one, the folder of the meshes"),
+        (["one", "-o", "one/out"], "lies in one, the folder of the meshes"),
         (["one", "-o", "out", "--rounds", "0"], "rounds must be 1 .. 10"),
         (["one", "-o", "out", "--landmarks", "lost.mrk.json"], "lost.mrk.json"),
         (["one", "-o", "out", "--template", "lost.ply"], "lost.ply"),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
+from counterpart3d.collection.quality import remark
 from counterpart3d.collection.statistics import (
     compactness,
     generalization,
@@ -76,6 +77,32 @@ def test_an_outlier_stands_out(planted):
     odd = np.concatenate([shapes, shapes[:1] + 1.5 * modes[1]])
     unusual = outliers(principal_modes(odd, triangles, weights))
     assert np.argmax(unusual) == 40 and unusual[40] > 2 * np.sort(unusual)[-2]
+
+
+FINE = {"coverage": 1.0, "cycle_error": 1.0, "turned_triangles": 0.0, "mirrored": False}
+
+
+@pytest.mark.parametrize("n", [7, 14, 40])
+def test_one_outlier_among_few_is_remarked(planted, n):
+    shapes, triangles, weights, modes, _ = planted
+    odd = np.concatenate([shapes[: n - 1], shapes[:1] + 1.5 * modes[1]])
+    said = [remark({**FINE, "outlier": value}) for value in outliers(principal_modes(odd, triangles, weights))]
+    assert said == [*[""] * (n - 1), "it is unlike the others"]
+    alike = outliers(principal_modes(shapes[:n], triangles, weights))
+    assert [remark({**FINE, "outlier": value}) for value in alike] == [""] * n
+
+
+def test_a_few_shapes_have_no_outlier(planted):
+    shapes, triangles, weights, *_ = planted
+    assert not outliers(principal_modes(shapes[:4], triangles, weights)).any()
+    assert outliers(principal_modes(shapes[[0] * 6], triangles, weights)).max() < 3
+
+
+def test_a_vertex_without_area_moves_with_the_shapes(planted):
+    shapes, triangles, weights, *_ = planted
+    more = np.concatenate([shapes, 2 * shapes[:, :1]], axis=1)
+    found = principal_modes(more, triangles, np.append(weights, 0))
+    np.testing.assert_allclose(found.mean + np.tensordot(found.scores, found.modes, axes=1), more, atol=1e-9)
 
 
 def test_projection_gives_the_scores_back(planted):

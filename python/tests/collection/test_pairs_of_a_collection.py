@@ -2,12 +2,17 @@
 # SPDX-License-Identifier: MIT
 """Which pairs are matched, which shapes are mirrored, and the way from the middle to each."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection.chirality import mirrored_shapes
+from counterpart3d.collection.choice import pairs_to_match
+from counterpart3d.collection.descriptors import total_distances
 from counterpart3d.collection.graph import all_pairs, held_out, medoid, pairs_in_time, sparse_pairs, spread_out
+from counterpart3d.collection.settings import Settings
 from counterpart3d.collection.tree import composed, spanning_tree
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
@@ -37,11 +42,53 @@ def test_a_tenth_is_held_out():
     assert set(out) <= set(edges) and 0.08 < len(out) / len(edges) < 0.12
 
 
+def on_a_cycle(edges):
+    """The pairs that lie on a cycle of three."""
+    i, j = np.array(edges).T
+    n = j.max() + 1
+    graph = coo_matrix((np.ones(len(edges)), (i, j)), shape=(n, n)).tocsr()
+    graph = graph + graph.T
+    common = np.asarray((graph @ graph)[i, j]).ravel()
+    return {edge for edge, count in zip(edges, common, strict=True) if count}
+
+
+@pytest.mark.parametrize("n", [60, 250, 600, 2000])
+def test_the_pairs_that_are_seen_keep_their_cycles(n):
+    descriptors = np.random.default_rng(n).normal(size=(n, 5))
+    edges = sparse_pairs(descriptors, medoid(descriptors))
+    out = set(held_out(edges, n))
+    seen = [edge for edge in edges if edge not in out]
+    cycles = on_a_cycle(seen)
+    assert len(cycles) >= 0.9 * len(seen)
+    assert on_a_cycle(edges) - out == cycles  # none lost its last one
+    assert np.bincount(np.array(seen).ravel()).min() >= 3
+    assert 0.08 < len(out) / len(edges) < 0.12
+
+
+def test_the_medoid_of_many_is_found_in_blocks():
+    descriptors = np.random.default_rng(0).normal(size=(700, 55))
+    distance = np.linalg.norm(descriptors[:, None] - descriptors[None], axis=2)
+    np.testing.assert_allclose(total_distances(descriptors), distance.sum(axis=1))
+    tracemalloc.start()
+    assert medoid(np.tile(descriptors, (3, 1))) == np.argmin(distance.sum(axis=1))
+    assert tracemalloc.get_traced_memory()[1] < 20e6  # 2 GB at once
+    tracemalloc.stop()
+
+
 def test_frames_are_matched_with_those_near_in_time_and_key_frames():
     edges = pairs_in_time(50)
     assert {(i, i + 1) for i in range(49)} <= set(edges)
     assert len(edges) < 4 * 50 and is_connected(50, edges)
     assert any(j - i > 8 for i, j in edges)
+
+
+@pytest.mark.parametrize(("template", "apart"), [(0, None), (3, None), (19, None), (20, 20)])
+def test_no_frame_is_lost_to_a_template(template, apart):
+    n = 20 + (apart is not None)
+    edges = pairs_to_match(None, [None] * n, Settings(pairs="sequence"), template, apart)
+    assert {(i, i + 1) for i in range(19)} <= set(edges) and is_connected(n, edges)
+    assert {tuple(sorted((template, i))) for i in (0, 8, 16) if i != template} <= set(edges)
+    assert all(i < j for i, j in edges) and (apart is None or (18, apart) not in edges)
 
 
 def test_anchors_are_spread():
