@@ -98,15 +98,19 @@ class Search {
         }
     }
 
-    // A few steps from all of them; then more from those that fit best, until few are left for the whole way.
+    // A few steps from all of them; then more from those that fit best, of which as many stay as time allows:
+    // where a mesh is flat or regular, wrong ones fit as well for long. Few are left for the whole way.
     // Of the complete ones that of least mismatch; among equals the one that lies closest.
     const Start* best_of(std::vector<Start>& starts) {
         constexpr std::size_t first_steps = 12, growth = 4, share = 8, max_complete = 16;
+        const std::size_t most_steps = 50'000 + 10 * whole();  // of all, each time
         for (std::size_t n_steps = first_steps; starts.size() > max_complete; n_steps *= growth) {
             const bool is_last = n_steps >= whole();
             std::erase_if(starts, [&](Start& start) { return !goes(start, std::min(n_steps, whole())); });
             sort_by_fit(starts);
-            const std::size_t fewer = is_last ? max_complete : std::max(starts.size() / share, max_complete);
+            const std::size_t affordable = most_steps / (growth * n_steps),
+                              fewer = is_last ? max_complete
+                                              : std::max({starts.size() / share, max_complete, affordable});
             if (starts.size() > fewer) starts.resize(fewer);
         }
         sort_by_fit(starts);
