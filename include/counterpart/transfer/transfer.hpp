@@ -21,7 +21,7 @@ struct TransferOptions {
     bool normals = true;
     bool skin = true;
     bool morphs = true;
-    bool materials = true;   ///< with their textures; texture coordinates are of no use without them
+    bool materials = true;  ///< with their textures; texture coordinates are of no use without them
     /// Also normals of a source that is shaded flat, which say no more than its triangles do and would split
     /// every vertex of the target. A box is not shaded flat: most of its edges that bend are sharp.
     bool flat_normals = false;
