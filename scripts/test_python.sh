@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Builds the Python package on the library of build/release and checks it: tests, doctests, types, style; with --quick
-# without the types of examples, benchmarks and tutorials as pyright sees them. What it and scripts/docs.sh need from PyPI
-# goes into build/venv; PYTHON chooses the interpreter (3.11 or newer).
+# without the slow tests and the types of examples, benchmarks and tutorials as pyright sees them. What it and scripts/docs.sh
+# need from PyPI goes into build/venv; PYTHON chooses the interpreter (3.11 or newer). A test that hangs shows where, and ends.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-python.txt
@@ -17,7 +17,10 @@ fi
 cmake --preset release -DCOUNTERPART_PYTHON=ON -DPython_EXECUTABLE="$venv/bin/python" > /dev/null
 cmake --build --preset release --target python_package counterpart_cli
 export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/build/release/counterpart}
-"$venv/bin/python" -m pytest -q -n 2 --doctest-modules python/tests "$PYTHONPATH/counterpart3d"
+only=()
+[ "${1:-}" != --quick ] || only=(-m "not slow")
+"$venv/bin/python" -m pytest -q -n 2 --dist loadgroup --timeout 300 --timeout-method thread "${only[@]}" --doctest-modules \
+  python/tests "$PYTHONPATH/counterpart3d"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart3d" python/examples benchmarks/python build/tutorials
 [ "${1:-}" = --quick ] || "$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials

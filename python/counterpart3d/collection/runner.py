@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import os
+import queue
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -54,41 +55,70 @@ def _message_of(function: Callable[..., str | None], item: tuple[Any, ...]) -> s
 
 
 class OnDask:
-    """On the workers of a Dask scheduler, a few items for each at a time, so that the client's memory stays flat."""
+    """On the workers of a Dask scheduler, a few items for each at a time, so that the client's memory stays flat.
 
-    def __init__(self, client: Any) -> None:
-        self.client = client
+    Parameters
+    ----------
+    client : distributed.Client
+    replace_lost : callable
+        Starts workers for those that are gone for good. Dask restarts one that dies, but forgets one that dies while it
+        starts, or takes longer to restart than its patience.
+    patience : float
+        Seconds without any worker after which the rest would wait without end: ConnectionError.
+    """
+
+    def __init__(self, client: Any, replace_lost: Callable[[], object] = lambda: None, patience: float = 600) -> None:
+        self.client, self.replace_lost, self.patience = client, replace_lost, patience
 
     def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
-        from distributed import as_completed
-
         waiting = iter(enumerate(items))
-        number: dict[str, int] = {}
+        finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        number: dict[Any, int] = {}
 
-        def submit(count: int) -> list[Any]:
-            futures = []
+        def submit(count: int) -> None:
             for i, item in itertools.islice(waiting, count):
                 future = self.client.submit(_message_of, function, item, pure=False, retries=1)
-                number[future.key] = i
-                futures.append(future)
-            return futures
+                number[future] = i
+                future.add_done_callback(finished.put)
 
-        n_threads = max(sum(self.client.nthreads().values()), 1)
-        running = as_completed(submit(4 * n_threads))  # type: ignore[no-untyped-call]
-        for future in running:
-            i = number.pop(future.key)
-            try:
-                result = future.result()
-            except Exception as error:
-                if "Cancelled" in type(error).__name__:
-                    raise ConnectionError("the scheduler was lost") from None
-                if type(error).__name__ != "KilledWorker":
-                    raise
-                result = "the process that worked on it died again and again: there may not be enough memory"
-            yield i, result
-            future.release()
-            for new in submit(1):
-                running.add(new)  # type: ignore[no-untyped-call]
+        submit(4 * max(sum(self.client.nthreads().values()), 1))
+        try:
+            while number:
+                future = self._next(finished)
+                i = number.pop(future)
+                yield i, _result_of(future)
+                future.release()
+                submit(1)
+        finally:
+            self.client.cancel(list(number))
+
+    def _next(self, finished: queue.SimpleQueue[Any]) -> Any:
+        """The next one that is finished."""
+        alone_since = None
+        while True:
+            with contextlib.suppress(queue.Empty):
+                return finished.get(timeout=min(5, self.patience))
+            self.replace_lost()
+            if self.client.nthreads():
+                alone_since = None
+                continue
+            alone_since = alone_since or time.monotonic()
+            if time.monotonic() - alone_since > self.patience:
+                raise ConnectionError(
+                    f"no worker has answered for {in_words(self.patience)}: run it again, and it goes on"
+                )
+
+
+def _result_of(future: Any) -> str | None:
+    try:
+        result: str | None = future.result()
+    except Exception as error:
+        if "Cancelled" in type(error).__name__:
+            raise ConnectionError("the scheduler was lost") from None
+        if type(error).__name__ != "KilledWorker":
+            raise
+        result = "the process that worked on it died again and again: there may not be enough memory"
+    return result
 
 
 @contextlib.contextmanager
@@ -125,16 +155,26 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
             yield OnDask(client)
         return
     count = workers or len(os.sched_getaffinity(0))
-    # A worker holds one task: one that dies takes no other with it.
-    settings = dask.config.set({"distributed.scheduler.worker-saturation": 1.0})
-    with (
-        settings,
-        distributed.LocalCluster(  # type: ignore[no-untyped-call]
+    # A worker holds one task: one that dies takes no other with it. On a busy machine it takes long to start again.
+    settings = dask.config.set(
+        {"distributed.scheduler.worker-saturation": 1.0, "distributed.deploy.lost-worker-timeout": "60s"}
+    )
+    with settings, _local_cluster(count) as cluster, distributed.Client(cluster) as client:  # type: ignore[no-untyped-call]
+        yield OnDask(client, lambda: cluster.scale(count))
+
+
+def _local_cluster(count: int) -> Any:
+    from distributed import LocalCluster
+
+    try:
+        return LocalCluster(  # type: ignore[no-untyped-call]
             n_workers=count, threads_per_worker=1, dashboard_address=":0", silence_logs=50
-        ) as cluster,
-        distributed.Client(cluster) as client,  # type: ignore[no-untyped-call]
-    ):
-        yield OnDask(client)
+        )
+    except RuntimeError as error:
+        raise InvalidInput(
+            "no process for the work could be started: a script needs the line if __name__ == '__main__': above what "
+            'it runs, or scheduler="inline"'
+        ) from error
 
 
 class Progress:
