@@ -7,6 +7,7 @@
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/map/project.hpp>
+#include <counterpart/match/compare.hpp>
 
 #include <utility>
 #include <variant>
@@ -76,9 +77,11 @@ std::string caution(const Json& report) {
 }
 
 FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, const Landmarks& landmarks) {
-    if (landmarks.empty() && pair.source.n_vertices() == pair.target.n_vertices() &&
-        pair.source.triangles == pair.target.triangles) {
+    const std::optional<Message> order =
+        landmarks.empty() ? same_order(pair.source, pair.target) : std::nullopt;
+    if (order) {
         say(options, "no map is given: the meshes have the same triangles, so vertex i goes to vertex i");
+        if (order->severity != Severity::notice) say_messages(options, {*order}, pair);
         return {identity_map(pair.source.n_vertices())};
     }
     MatchOptions how{.n_threads = options.threads, .progress = progress_bar("matching", options)};

@@ -173,9 +173,11 @@ def matched(
 ) -> tuple[IntArray, FloatArray]:
     """The map, as triangles and weights; without one, that of `match`, unless both have the same triangles."""
     if target_from_source is None:
-        begin, end = arrays_of(source), arrays_of(target)
-        same = len(begin[0]) == len(end[0]) and np.array_equal(begin[1], end[1])
-        if not same or (landmarks is not None and len(landmarks) > 0):
+        order = None if landmarks is not None and len(landmarks) > 0 else _core.same_order(*ends)
+        for message in messages_of(order or []):
+            if message.severity != "notice":
+                warnings.warn(str(message), UserWarning, stacklevel=3)
+        if not order:
             found = match(source, target, landmarks=landmarks, n_threads=n_threads, progress=report)
             for message in found.warnings:
                 warnings.warn(str(message), UserWarning, stacklevel=3)

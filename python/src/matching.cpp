@@ -199,6 +199,13 @@ void bind_matching(nb::module_& module) {
         },
         "source"_a, "target"_a);
     module.def(
+        "same_order",
+        [](const Mesh& source, const Mesh& target) {
+            const auto message = run([&] { return same_order(source, target); });
+            return list_of(message ? std::vector{*message} : std::vector<Message>{});
+        },
+        "source"_a, "target"_a);
+    module.def(
         "match_exact",
         [](const Mesh& source, const Mesh& target, ExactOptions options, const nb::object& progress) {
             return dictionary(run(progress, [&](Progress report) {

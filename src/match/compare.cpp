@@ -17,10 +17,9 @@ void compare_connectivity(MeshView source, MeshView target, MeshComparison& resu
     const auto add = [&](MessageCode code, std::string sentence) {
         result.messages.push_back({code, Severity::notice, std::move(sentence)});
     };
-    result.same_order = source.n_vertices() == target.n_vertices() &&
-                        source.n_triangles() == target.n_triangles() && source.triangles == target.triangles;
-    if (result.same_order)
-        add(MessageCode::same_order, "the same triangles in the same order: vertex i is vertex i");
+    std::optional<Message> order = same_order(source, target);
+    result.same_order = order.has_value();
+    if (order) result.messages.push_back(*std::move(order));
     try {
         const ExactResult exact = match_exact(source, target, {.allow_mirror = true});
         result.same_connectivity = exact.identical;

@@ -9,6 +9,7 @@
 #include <counterpart/match/exact.hpp>
 #include <counterpart/mesh/weld.hpp>
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -65,10 +66,29 @@ ExactResult by_place(MeshView source, MeshView target, const place::SamePlaces& 
     return result;
 }
 
+// Each vertex of the target's triangles is the image of one vertex.
+bool is_one_to_one(const VertexMap& map, MeshView target) {
+    std::vector<char> taken(to_size(map.target_size()), 0);
+    for (const Index image : map.image()) {
+        if (image == VertexMap::unmatched) continue;
+        if (taken[to_size(image)] != 0) return false;
+        taken[to_size(image)] = 1;
+    }
+    return std::all_of(target.triangles.reshaped().begin(), target.triangles.reshaped().end(),
+                       [&](Index v) { return taken[to_size(v)] != 0; });
+}
+
+// Nothing where a seam is open in one mesh only: not one to one, it is no isomorphism.
+std::optional<place::SamePlaces> at_same_places(MeshView source, MeshView target) {
+    if (source.n_triangles() != target.n_triangles()) return std::nullopt;
+    std::optional<place::SamePlaces> places = place::find_same_places(source, target);
+    if (places && !is_one_to_one(places->target_from_source, target)) places.reset();
+    return places;
+}
+
 // Vertices that lie at the same places need no search, whatever the connectivity allows besides.
 ExactResult match_unwelded(MeshView source, MeshView target, const ExactOptions& options) {
-    const std::optional<place::SamePlaces> places =
-        source.n_triangles() == target.n_triangles() ? place::find_same_places(source, target) : std::nullopt;
+    const std::optional<place::SamePlaces> places = at_same_places(source, target);
     if (!places) return by_connectivity(source, target, false, options);
     // Few other triangles were edited; many, or those inside polygons, are cut otherwise.
     constexpr double most_same = 0.9;

@@ -27,6 +27,11 @@ struct MeshComparison {
     std::vector<Message> messages;  ///< all of it that spoils maps or helps to choose a method, gravest first
 };
 
+/// Of the same triangles in the same order: that vertex i is vertex i, a notice; a caution where this may be
+/// the accident of two regular triangulations of one size (depth images, wraps): their edges fit in length no
+/// better than by chance, and they do not curve alike. Nothing for other meshes. O(F + V log V).
+std::optional<Message> same_order(MeshView source, MeshView target);
+
 /// What two meshes have in common, to be known before they are matched. O((V + F) log F), and what
 /// match_exact costs. Throws InvalidInput for invalid meshes.
 MeshComparison compare(MeshView source, MeshView target);

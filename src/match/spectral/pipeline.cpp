@@ -125,10 +125,6 @@ void keep_landmarks(SpectralResult& result, const VertexPairs& landmarks) {
         other.target_from_source = with_pairs(other.target_from_source, landmarks);
 }
 
-}  // namespace
-
-namespace {
-
 // The readings of a pair that were searched, and how well their best maps score.
 class Readings {
   public:
@@ -174,13 +170,21 @@ class Readings {
                  fmt::format("one mesh is the mirror image of the other (score {:.2f}, without mirroring "
                              "{:.2f}): the map reverses orientation (left to left)",
                              mirrored_score_, score_)});
-        const double behind = std::abs(mirrored_score_ - score_);
+        // Negative where the mirrored reading does better, but not clearly.
+        const double behind = is_mirrored_ ? mirrored_score_ - score_ : score_ - mirrored_score_;
         if (other_map && behind < tuning_.mirror.close) add_first(std::move(*other_map), behind, result);
         return result;
     }
 
   private:
     void add_first(VertexMap map, double behind, SpectralResult& result) const {
+        result.margin = std::min(result.margin, behind);
+        result.messages.push_back(
+            {MessageCode::close_runner_up, Severity::notice,
+             fmt::format("{} the map fits about as well (score {:.2f} against {:.2f}): it is the first "
+                         "runner-up; mirror=never and mirror=always tell which is meant",
+                         is_mirrored_ ? "without mirroring" : "onto the mirror image of the target",
+                         is_mirrored_ ? score_ : mirrored_score_, is_mirrored_ ? mirrored_score_ : score_)});
         if (options_.n_alternatives == 0) return;
         result.alternatives.insert(result.alternatives.begin(),
                                    {std::move(map), result.score - behind,
@@ -188,7 +192,6 @@ class Readings {
                                                  : "the target as a mirror image: orientation reversed"});
         result.alternatives.resize(
             std::min(result.alternatives.size(), static_cast<std::size_t>(options_.n_alternatives)));
-        result.margin = std::min(result.margin, behind);
     }
 
     double search(Reading& reading, const ProgressRange& progress) {

@@ -8,6 +8,8 @@
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace counterpart {
@@ -40,6 +42,33 @@ TEST(Compare, AnotherOrderIsAnotherOrder) {
     EXPECT_EQ(found.same_connectivity, true);
     EXPECT_FALSE(found.same_order);
     EXPECT_EQ(found.same_places, 1);
+}
+
+// A bumpy square over a grid; the bumps lie elsewhere for every phase.
+TriangleMesh depth_image(double phase) {
+    constexpr Index n = 30;
+    TriangleMesh grid{Points(n * n, 3), Triangles(2 * (n - 1) * (n - 1), 3)};
+    Index t = 0;
+    for (Index i = 0; i < n; ++i) {
+        for (Index j = 0; j < n; ++j) {
+            const double x = i / (n - 1.0), y = j / (n - 1.0);
+            grid.vertices.row(n * i + j) << x, y, 0.3 * std::sin(9 * x + phase) * std::cos(7 * y + 2 * phase);
+            if (i == n - 1 || j == n - 1) continue;
+            grid.triangles.row(t++) << n * i + j, n * (i + 1) + j, n * i + j + 1;
+            grid.triangles.row(t++) << n * (i + 1) + j, n * (i + 1) + j + 1, n * i + j + 1;
+        }
+    }
+    return grid;
+}
+
+TEST(Compare, GridsOfOneSizeNeedNotComeFromOneMesh) {
+    const TriangleMesh scan = depth_image(0);
+    const auto said = same_order(scan, depth_image(1.5));
+    ASSERT_TRUE(said.has_value());
+    EXPECT_EQ(said->severity, Severity::caution);
+    EXPECT_EQ(same_order(scan, deform(scan, {.bend = 0.3}))->severity, Severity::notice);
+    EXPECT_EQ(same_order(compared, deform(compared, {.bend = 1, .warp = 0.1}))->severity, Severity::notice);
+    EXPECT_FALSE(same_order(scan, test::shuffled(scan, 3).mesh).has_value());
 }
 
 TEST(Compare, MirrorImagesAreTold) {

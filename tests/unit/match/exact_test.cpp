@@ -298,5 +298,17 @@ TEST(MatchExact, MatchesTenThousandTetrahedra) {
     EXPECT_NEAR(result.automorphisms.log10, 35659.45 + n * std::log10(12.0), 1);
 }
 
+// A seam that is open in one mesh only: both sides lie where the other's one vertex lies, which is no
+// isomorphism.
+TEST(MatchExact, ASeamOpenInOneMeshOnlyIsADifference) {
+    const TriangleMesh body = make_body({.subdivisions = 1});
+    TriangleMesh open = body;
+    open.vertices.conservativeResize(body.n_vertices() + 1, 3);
+    open.vertices.row(body.n_vertices()) = body.vertices.row(body.triangles(0, 0));
+    open.triangles(0, 0) = body.n_vertices();
+    EXPECT_FALSE(match_exact(open, body).identical);
+    EXPECT_FALSE(match_exact(body, open).identical);
+}
+
 }  // namespace
 }  // namespace counterpart
