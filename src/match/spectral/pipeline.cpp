@@ -7,6 +7,7 @@
 #include "match/spectral/confidence.hpp"
 #include "match/spectral/given_map.hpp"
 #include "match/spectral/lift.hpp"
+#include "match/spectral/messages.hpp"
 #include "match/spectral/moves.hpp"
 #include "match/spectral/polish.hpp"
 #include "match/spectral/race.hpp"
