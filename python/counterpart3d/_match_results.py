@@ -52,6 +52,8 @@ class ExactResult(MapResult, Telling):
         Components, connected through manifold edges.
     interchangeable : list[dict]
         Groups of components that connectivity does not tell apart.
+    by_place : ndarray of int
+        Source vertices of parts alike in themselves or to each other: only place tells how they lie.
     automorphisms : Count
         Of the source, orientation-preserving, with the identity.
     mirror_automorphisms : Count
@@ -74,6 +76,7 @@ class ExactResult(MapResult, Telling):
     target_corner_from_source: IntArray
     n_components: int
     interchangeable: list[dict[str, Any]]
+    by_place: IntArray
     automorphisms: Count
     mirror_automorphisms: Count
     reversed_triangles: int

@@ -33,14 +33,15 @@ nb::dict dictionary(ExactResult result) {
     for (const EqualComponents& equal : result.interchangeable)
         interchangeable.append(dictionary_of("n_triangles", equal.n_triangles, "source", array(equal.source),
                                              "target", array(equal.target)));
-    return dictionary_of(
-        "identical", result.identical, "difference", result.difference, "target_from_source",
-        array(result.target_from_source), "target_corner_from_source",
-        matrix_array(std::move(result.target_corner_from_source)), "n_components", result.n_components,
-        "interchangeable", interchangeable, "automorphisms", dictionary(result.automorphisms),
-        "mirror_automorphisms", dictionary(result.mirror_automorphisms), "reversed_triangles",
-        result.reversed_triangles, "winding_reversed", result.winding_reversed, "mirrored", result.mirrored,
-        "alternatives", arrays(std::move(result.alternatives)), "messages", list_of(result.messages));
+    return dictionary_of("identical", result.identical, "difference", result.difference, "target_from_source",
+                         array(result.target_from_source), "target_corner_from_source",
+                         matrix_array(std::move(result.target_corner_from_source)), "n_components",
+                         result.n_components, "interchangeable", interchangeable, "by_place",
+                         array(std::move(result.by_place)), "automorphisms", dictionary(result.automorphisms),
+                         "mirror_automorphisms", dictionary(result.mirror_automorphisms),
+                         "reversed_triangles", result.reversed_triangles, "winding_reversed",
+                         result.winding_reversed, "mirrored", result.mirrored, "alternatives",
+                         arrays(std::move(result.alternatives)), "messages", list_of(result.messages));
 }
 
 nb::dict dictionary(MeshDifferences result) {

@@ -86,6 +86,8 @@ std::string to_string(MessageCode code) {
             return "symmetric_connectivity";
         case MessageCode::mirrored_connectivity:
             return "mirrored_connectivity";
+        case MessageCode::alike_parts:
+            return "alike_parts";
         case MessageCode::interchangeable_components:
             return "interchangeable_components";
         case MessageCode::poor_score:

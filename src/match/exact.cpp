@@ -128,11 +128,24 @@ VertexMap unwelded(const VertexMap& welded_map, TrianglesView corners, MeshView 
     return {std::move(map), target.n_vertices()};
 }
 
+// The vertices that were welded to one of these.
+std::vector<Index> duplicates(const std::vector<Index>& welded, const WeldResult& weld) {
+    std::vector<char> is_meant(to_size(weld.mesh.n_vertices()), 0);
+    for (const Index w : welded) is_meant[to_size(w)] = 1;
+    std::vector<Index> result;
+    for (std::size_t v = 0; v < weld.welded_from_original.size(); ++v)
+        if (is_meant[to_size(weld.welded_from_original[v])] != 0) result.push_back(static_cast<Index>(v));
+    return result;
+}
+
 ExactResult match_welded(MeshView source, MeshView target, const ExactOptions& options) {
     const WeldResult welded_source = weld(source, {options.weld_distance}),
                      welded_target = weld(target, {options.weld_distance});
     ExactResult result = match_unwelded(welded_source.mesh, welded_target.mesh, options);
     if (!result.identical) return result;
+    result.by_place = duplicates(result.by_place, welded_source);
+    for (Message& message : result.messages)
+        message.where.vertices = duplicates(message.where.vertices, welded_source);
     result.messages.push_back(
         {MessageCode::welded, Severity::notice,
          fmt::format("welded for the match: {} -> {} and {} -> {} vertices", source.n_vertices(),

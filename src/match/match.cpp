@@ -146,6 +146,8 @@ class Matching {
         result_.target_from_source = result_.exact->target_from_source;
         add(result_.exact->messages);
         result_.confidence = Vector::Ones(source_.n_vertices());
+        constexpr double by_place = 0.95;  // what place alone decides is never certain
+        for (const Index v : result_.exact->by_place) result_.confidence[v] = by_place;
         if (options_.method == MatchMethod::exact && result_.exact->automorphisms.number != 1 &&
             !differences::lengths_fit(result_.target_from_source, source_, target_))
             add({{MessageCode::misfit, Severity::caution,

@@ -59,6 +59,7 @@ enum class MessageCode {
     symmetric_connectivity,      ///< several isomorphisms; geometry chose
     mirrored_connectivity,       ///< isomorphisms that reverse orientation
     interchangeable_components,  ///< paired by position
+    alike_parts,                 ///< only place tells how they lie
     poor_score,                  ///< no map fits well
     close_runner_up,             ///< another map fits nearly as well
     misfit,                      ///< parts that should meet do not

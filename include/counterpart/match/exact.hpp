@@ -63,6 +63,9 @@ struct ExactResult {
     ExactPath path = ExactPath::surface;
     Index n_components = 0;  ///< connected through manifold edges
     std::vector<EqualComponents> interchangeable;
+    /// Source vertices of parts alike in themselves or to each other, whose images place alone tells, as edge
+    /// lengths fit another way about as well. Increasing; not told where `path` is patches.
+    std::vector<Index> by_place;
     Count automorphisms;            ///< of the source, orientation-preserving, with the identity
     Count mirror_automorphisms;     ///< of the source, orientation-reversing
     Index reversed_triangles = 0;   ///< in opposite winding in the target

@@ -224,6 +224,19 @@ void list_interchangeable(const MatchedMaps& maps, const Choice& choice, ExactRe
     }
 }
 
+void list_by_place(const MatchedMaps& maps, const Choice& choice, bool reversed, ExactResult& result) {
+    for (const std::size_t p : symmetry::decided_by_place(maps, choice, reversed)) {
+        const auto component = to_size(choice.pairs[p].source->component);
+        for (auto h = 3 * to_size(maps.source.component_begin[component]);
+             h < 3 * to_size(maps.source.component_begin[component + 1]); ++h) {
+            const Index v = maps.source.input_vertex[to_size(maps.source.corner[h])];
+            if (v < maps.source.first_center) result.by_place.push_back(v);
+        }
+    }
+    std::sort(result.by_place.begin(), result.by_place.end());
+    result.by_place.erase(std::unique(result.by_place.begin(), result.by_place.end()), result.by_place.end());
+}
+
 // Chooses among the isomorphisms; the others asked for follow the best. None if nothing fits.
 std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options, ExactResult& result) {
     const auto n_others = to_size(options.max_alternatives);
@@ -268,6 +281,7 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
             }
         }
     }
+    list_by_place(maps, found[0], reversed, result);
     if (n_others == 0) return found;
     for (Choice& other : other_choices(maps, found[0], reversed, n_others)) found.push_back(std::move(other));
     if (preserves && reverses && found.size() <= n_others)

@@ -68,6 +68,15 @@ void describe(const Described& source, ExactResult& result) {
                         to_string(result.mirror_automorphisms)));
     if (!result.interchangeable.empty())
         result.messages.push_back(on_equal_components(result.interchangeable));
+    if (!result.by_place.empty())
+        result.messages.push_back(
+            {MessageCode::alike_parts,
+             Severity::notice,
+             fmt::format(
+                 "{} vertices belong to parts that are alike in themselves or to each other: only their "
+                 "place tells how they lie",
+                 result.by_place.size()),
+             {Subject::map, result.by_place}});
     if (source.n_isolated > 0)
         add(MessageCode::isolated_vertices,
             fmt::format("{} isolated vertices were paired by position", source.n_isolated));

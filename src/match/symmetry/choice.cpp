@@ -7,6 +7,8 @@
 #include "match/symmetry/tuning.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace counterpart::symmetry {
 
@@ -273,6 +275,43 @@ std::vector<Choice> other_choices(const MatchedMaps& maps, const Choice& choice,
         return a.fit.edge_length_error + a.fit.rigid_error < b.fit.edge_length_error + b.fit.rigid_error;
     });
     return others;
+}
+
+std::vector<std::size_t> decided_by_place(const MatchedMaps& maps, const Choice& choice, bool reversed) {
+    if (is_determined(maps)) return {};
+    Chooser chooser(maps, reversed);
+    const PairGeometry& geometry = chooser.geometry();
+    const auto error = [&](const ComponentPair& pair) {
+        return geometry.edge_length_error(pair, exact_tuning.max_final_triangles);
+    };
+    // The best automorphism but for the chosen one.
+    const auto other_way = [&](ComponentPair pair) {
+        if (chooser.order(*pair.kind) == 1) return std::numeric_limits<double>::infinity();
+        const Images chosen = pair.automorphism;
+        double best = std::numeric_limits<double>::infinity();
+        for (Images& images : chooser.automorphisms(pair, 2)) {
+            if (images == chosen) continue;
+            pair.automorphism = std::move(images);
+            best = std::min(best, error(pair));
+        }
+        return best;
+    };
+    const auto other_partner = [&](ComponentPair pair) {
+        const std::vector<Member>& members = pair.kind->target;
+        if (members.size() == 1) return std::numeric_limits<double>::infinity();
+        const auto next = to_size(pair.target - members.data() + 1) % members.size();
+        pair.target = &members[next];
+        if (chooser.order(*pair.kind) > 1) pair.automorphism = chooser.automorphisms(pair, 1)[0];
+        return error(pair);
+    };
+    std::vector<std::size_t> result;
+    for (std::size_t p = 0; p < choice.pairs.size(); ++p) {
+        const ComponentPair& pair = choice.pairs[p];
+        if (std::min(other_way(pair), other_partner(pair)) <=
+            exact_tuning.clear * error(pair) + geometry.tolerance())
+            result.push_back(p);
+    }
+    return result;
 }
 
 }  // namespace counterpart::symmetry

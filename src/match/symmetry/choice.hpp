@@ -37,4 +37,8 @@ Choice choose_isomorphism(const MatchedMaps& maps, bool reversed, const Progress
 std::vector<Choice> other_choices(const MatchedMaps& maps, const Choice& choice, bool reversed,
                                   std::size_t max);
 
+/// The pairs of the choice, by number, that place alone decides: another automorphism, or another component
+/// of the class, keeps the lengths of edges about as well. O(what choosing took).
+std::vector<std::size_t> decided_by_place(const MatchedMaps& maps, const Choice& choice, bool reversed);
+
 }  // namespace counterpart::symmetry

@@ -40,6 +40,9 @@ struct ExactTuning {
     /// Components on which an initial alignment is judged.
     std::size_t alignment_sample = 32;
 
+    /// Lengths decide between two ways if the squared error of the worse one is so many times as large.
+    double clear = 4;
+
     // ---- non-manifold meshes ----
     /// Isomorphisms that are compared, and triangles of them that may be measured together.
     std::size_t max_isomorphisms = 1000, max_measured_triangles = 20'000'000;

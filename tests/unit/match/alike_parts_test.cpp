@@ -6,6 +6,8 @@
 #include "support/ogre.hpp"
 
 #include <counterpart/match/exact.hpp>
+#include <counterpart/match/match.hpp>
+#include <counterpart/match/verdict.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
@@ -90,7 +92,21 @@ TEST(AlikeParts, OfABentHeadMoveWithWhatTheySitIn) {
             wrong +=
                 result.target_from_source[v] != other.shuffled_from_original[static_cast<std::size_t>(v)];
         EXPECT_EQ(wrong, 0) << bend;
+        EXPECT_EQ(result.by_place.front(), skull.n_vertices());  // the eyes
+        EXPECT_EQ(result.by_place.size(), static_cast<std::size_t>(head.n_vertices() - skull.n_vertices()));
     }
+}
+
+// What lengths of edges tell needs no place; what only place tells is never certain.
+TEST(AlikeParts, AreLessThanCertain) {
+    const TriangleMesh ring = make_torus(24, 12);
+    TriangleMesh dented = ring;
+    for (Index v = 0; v < ring.n_vertices(); ++v) dented.vertices.row(v) *= 1 + 0.3 * std::sin(2.7 * v);
+    EXPECT_TRUE(match_exact(dented, shuffle(dented, 2).mesh).by_place.empty());
+    const MatchResult result = match(ring, shuffle(ring, 2).mesh);
+    ASSERT_EQ(result.method, MatchMethod::exact);
+    EXPECT_LT(result.confidence.maxCoeff(), 1);
+    EXPECT_EQ(verdict(result).advice, Advice::use);
 }
 
 }  // namespace
