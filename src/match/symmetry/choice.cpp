@@ -28,6 +28,10 @@ Members with_parity(const std::vector<Member>& members, unsigned parity) {
     return chosen;
 }
 
+double length_error(const PairGeometry& geometry, const ComponentPair& pair) {
+    return geometry.edge_length_error(pair, exact_tuning.max_final_triangles);
+}
+
 class Chooser {
   public:
     Chooser(const MatchedMaps& maps, bool reversed)
@@ -117,10 +121,12 @@ class Chooser {
 
     void choose_automorphism(ComponentPair& pair, const Alignment* alignment) {
         const bool mirror = by_mirror(*pair.kind);
-        if (order(*pair.kind) > 1)
-            pair.automorphism =
-                best_automorphisms(maps_, geometry_, traversal_, pair, mirror, alignment, 1)[0];
-        else if (mirror)
+        if (order(*pair.kind) > 1) {
+            auto best = best_automorphisms(maps_, geometry_, traversal_, pair, mirror, alignment, 2);
+            pair.automorphism = std::move(best[1]);
+            pair.other_length_error = length_error(geometry_, pair);
+            pair.automorphism = std::move(best[0]);
+        } else if (mirror)
             pair.automorphism = group(*pair.kind).mirror;
     }
 
@@ -281,35 +287,19 @@ std::vector<std::size_t> decided_by_place(const MatchedMaps& maps, const Choice&
     if (is_determined(maps)) return {};
     Chooser chooser(maps, reversed);
     const PairGeometry& geometry = chooser.geometry();
-    const auto error = [&](const ComponentPair& pair) {
-        return geometry.edge_length_error(pair, exact_tuning.max_final_triangles);
-    };
-    // The best automorphism but for the chosen one.
-    const auto other_way = [&](ComponentPair pair) {
-        if (chooser.order(*pair.kind) == 1) return std::numeric_limits<double>::infinity();
-        const Images chosen = pair.automorphism;
-        double best = std::numeric_limits<double>::infinity();
-        for (Images& images : chooser.automorphisms(pair, 2)) {
-            if (images == chosen) continue;
-            pair.automorphism = std::move(images);
-            best = std::min(best, error(pair));
-        }
-        return best;
-    };
     const auto other_partner = [&](ComponentPair pair) {
         const std::vector<Member>& members = pair.kind->target;
         if (members.size() == 1) return std::numeric_limits<double>::infinity();
         const auto next = to_size(pair.target - members.data() + 1) % members.size();
         pair.target = &members[next];
         if (chooser.order(*pair.kind) > 1) pair.automorphism = chooser.automorphisms(pair, 1)[0];
-        return error(pair);
+        return length_error(geometry, pair);
     };
     std::vector<std::size_t> result;
     for (std::size_t p = 0; p < choice.pairs.size(); ++p) {
         const ComponentPair& pair = choice.pairs[p];
-        if (std::min(other_way(pair), other_partner(pair)) <=
-            exact_tuning.clear * error(pair) + geometry.tolerance())
-            result.push_back(p);
+        const double limit = exact_tuning.clear * length_error(geometry, pair) + geometry.tolerance();
+        if (pair.other_length_error <= limit || other_partner(pair) <= limit) result.push_back(p);
     }
     return result;
 }

@@ -9,6 +9,7 @@
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace counterpart::symmetry {
@@ -36,6 +37,7 @@ struct ComponentPair {
     const Member* source = nullptr;
     const Member* target = nullptr;
     Images automorphism;  ///< of the representative; empty = identity
+    double other_length_error = std::numeric_limits<double>::infinity();  ///< by the next best automorphism
 
     std::size_t size() const { return source->from_representative.size(); }
     /// Where corner 0 of the representative's triangle lies on the source and on the target.
