@@ -148,7 +148,7 @@ class Matching {
         result_.confidence = Vector::Ones(source_.n_vertices());
         constexpr double by_place = 0.95;  // what place alone decides is never certain
         for (const Index v : result_.exact->by_place) result_.confidence[v] = by_place;
-        if (options_.method == MatchMethod::exact && result_.exact->automorphisms.number != 1 &&
+        if (options_.method == MatchMethod::exact && !choice::is_believed(*result_.exact) &&
             !differences::lengths_fit(result_.target_from_source, source_, target_))
             add({{MessageCode::misfit, Severity::caution,
                   "the connectivity is the same in several ways, and none of them keeps the lengths of "

@@ -98,8 +98,8 @@ class Deciding {
 
     // Of several isomorphisms the one that geometry chose may fit no better than chance.
     bool fits(const ExactResult& exact) {
-        const bool is_one = exact.automorphisms.number == 1;
-        if (is_one || differences::lengths_fit(exact.target_from_source, source_, target_)) return true;
+        if (is_believed(exact) || differences::lengths_fit(exact.target_from_source, source_, target_))
+            return true;
         reason() += ", but no way to lay one over the other keeps the lengths of its edges";
         return false;
     }
@@ -202,6 +202,11 @@ Decision decide(MeshView source, MeshView target, const MatchOptions& options, c
                 Stopwatch& watch) {
     spectral_match::require_valid(spectral_options(options), source.n_vertices(), target.n_vertices());
     return Deciding(source, target, options, progress, watch).run();
+}
+
+bool is_believed(const ExactResult& exact) {
+    return exact.automorphisms.number == 1 ||
+           (exact.path == ExactPath::surface && exact.confirmed_share >= 0.5);
 }
 
 void require_valid(const MatchOptions& options) {

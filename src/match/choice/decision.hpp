@@ -28,6 +28,9 @@ struct Decision {
 Decision decide(MeshView source, MeshView target, const MatchOptions& options, const Progress& progress,
                 Stopwatch& watch);
 
+/// Whether the same connectivity is no accident of regular triangulations, as far as match_exact has seen.
+bool is_believed(const ExactResult& exact);
+
 /// Throws InvalidInput for options that are out of range whatever the method.
 void require_valid(const MatchOptions& options);
 

@@ -8,6 +8,7 @@
 #include "match/non_manifold/matching.hpp"
 #include "match/symmetry/choice.hpp"
 #include "match/symmetry/component_assignment.hpp"
+#include "match/symmetry/confirmation.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -282,6 +283,7 @@ std::vector<Choice> choose(const MatchedMaps& maps, const ExactOptions& options,
         }
     }
     list_by_place(maps, found[0], reversed, result);
+    result.confirmed_share = symmetry::confirmed_share(maps, found[0]);
     if (n_others == 0) return found;
     for (Choice& other : other_choices(maps, found[0], reversed, n_others)) found.push_back(std::move(other));
     if (preserves && reverses && found.size() <= n_others)

@@ -5,6 +5,7 @@
 #include "support/edits.hpp"
 #include "support/ogre.hpp"
 
+#include <counterpart/match/choose_method.hpp>
 #include <counterpart/match/exact.hpp>
 #include <counterpart/match/match.hpp>
 #include <counterpart/match/verdict.hpp>
@@ -94,6 +95,35 @@ TEST(AlikeParts, OfABentHeadMoveWithWhatTheySitIn) {
         EXPECT_EQ(wrong, 0) << bend;
         EXPECT_EQ(result.by_place.front(), skull.n_vertices());  // the eyes
         EXPECT_EQ(result.by_place.size(), static_cast<std::size_t>(head.n_vertices() - skull.n_vertices()));
+    }
+}
+
+// Spheres, eggs and rings are alike in many ways; bent, they are still what they were.
+TEST(AlikeParts, BentSpheresAndRingsKeepTheirConnectivity) {
+    TriangleMesh egg = make_icosphere(3);
+    egg.vertices.col(1) *= 1.5;
+    egg.vertices.col(2) *= 0.8;
+    const std::vector<DeformOptions> poses = {{.bend = 1}, {.twist = 0.5}, {.warp = 0.08}};
+    for (const TriangleMesh& mesh : {make_icosphere(3), make_torus(30, 15), egg}) {
+        for (const DeformOptions& pose : poses) {
+            const ShuffleResult other = shuffle(move_at_random(deform(mesh, pose), 3), 4);
+            EXPECT_EQ(match(mesh, other.mesh).method, MatchMethod::exact);
+            EXPECT_EQ(match(other.mesh, mesh).method, MatchMethod::exact);
+        }
+    }
+}
+
+// The same, of shapes that are not alike in themselves; and wraps of two of them have nothing in common.
+TEST(AlikeParts, BlobsOfOneTriangulationAreToldApart) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        TriangleMesh blob = deform(make_icosphere(3), {.warp = 0.25, .seed = seed});
+        blob.vertices.col(1) *= 1.5;
+        const ShuffleResult bent = shuffle(move_at_random(deform(blob, {.bend = 1, .warp = 0.1}), 3), 4);
+        const MatchResult result = match(blob, bent.mesh);
+        EXPECT_EQ(result.method, MatchMethod::exact) << result.reason;
+        EXPECT_EQ(result.target_from_source.image(), bent.shuffled_from_original);
+        const TriangleMesh stranger = deform(make_icosphere(3), {.warp = 0.25, .seed = seed + 7});
+        EXPECT_NE(choose_method(blob, shuffle(stranger, 4).mesh).method, MatchMethod::exact);
     }
 }
 

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/symmetry/confirmation.hpp"
+
+#include "match/symmetry/tuning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace counterpart::symmetry {
+
+using namespace isomorphism;
+
+namespace {
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+double spread(const std::vector<double>& values) {
+    double sum = 0, squares = 0;
+    for (const double value : values) {
+        sum += value;
+        squares += value * value;
+    }
+    const auto n = static_cast<double>(values.size());
+    return std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
+}
+
+struct Side {
+    const DartMap& map;
+    MeshView mesh;
+
+    double length(Dart d) const {
+        const auto at = [&](Dart f) { return mesh.vertices.row(map.input_vertex[to_size(map.origin(f))]); };
+        return (at(next(d)) - at(d)).norm();
+    }
+};
+
+// How unlike edges are in length, whatever the scale: the median of how far the logarithms of their ratios
+// are from the median ratio.
+double deviation(const Side& a, const Side& b, const ComponentPair& pair) {
+    std::vector<double> ratios;
+    for (const std::size_t k : evenly_spread(pair.size(), exact_tuning.confirming_triangles)) {
+        Dart d = pair.on_source(k), e = pair.on_target(k);
+        for (int c = 0; c < 3; ++c, d = next(d), e = next(e)) {
+            const double here = a.length(d), there = b.length(e);
+            if (here > 0 && there > 0) ratios.push_back(std::log(there / here));
+        }
+    }
+    const double common = median(ratios);
+    for (double& ratio : ratios) ratio = std::abs(ratio - common);
+    return median(std::move(ratios));
+}
+
+// The pair with a symmetry of the representative before its automorphism.
+ComponentPair turned(ComponentPair pair, const Images& symmetry) {
+    if (pair.automorphism.empty()) {
+        pair.automorphism = symmetry;
+        return pair;
+    }
+    Images images;
+    for (const Dart d : symmetry) images.push_back(image_of(pair.automorphism, pair.kind->first, d));
+    pair.automorphism = std::move(images);
+    return pair;
+}
+
+// The representative of a class lies on one of both meshes.
+std::vector<Images> some_symmetries(const MatchedMaps& maps, const ComponentClass& kind,
+                                    const AutomorphismGroup& group) {
+    const DartMap& map = kind.in_target ? maps.target : maps.source;
+    SimultaneousTraversal traversal(map, map);
+    std::vector<Images> result;
+    for (const std::size_t e : evenly_spread(group.order() - 1, exact_tuning.n_compared))
+        result.push_back(traversal.run(kind.component, kind.root, group.orbit[e + 1]));
+    return result;
+}
+
+bool is_confirmed(const MatchedMaps& maps, const ComponentPair& pair, const std::vector<Images>& symmetries,
+                  std::size_t order) {
+    const Side source{maps.source, maps.source_mesh}, target{maps.target, maps.target_mesh};
+    std::vector<double> others, of_source, of_target;
+    for (const Images& symmetry : symmetries) {
+        others.push_back(deviation(source, target, turned(pair, symmetry)));
+        of_source.push_back(deviation(source, source, {pair.kind, pair.source, pair.source, symmetry}));
+        of_target.push_back(deviation(target, target, {pair.kind, pair.target, pair.target, symmetry}));
+    }
+    // The best of so many ways is as much better than the middle by chance, in standard deviations.
+    const double by_chance = std::sqrt(2 * std::log(static_cast<double>(order))) * spread(others);
+    const double chosen = deviation(source, target, pair);
+    const double itself = std::min(median(std::move(of_source)), median(std::move(of_target)));
+    const double middle = median(std::move(others));
+    return chosen <= std::max(exact_tuning.clear_share * middle, exact_tuning.alike) ||
+           chosen <= middle - exact_tuning.beyond_chance * by_chance ||
+           itself <= std::max(exact_tuning.clear_share * chosen, exact_tuning.alike);
+}
+
+}  // namespace
+
+double confirmed_share(const MatchedMaps& maps, const Choice& choice) {
+    std::vector<std::vector<Images>> symmetries(maps.classes.size());
+    double confirmed = 0;
+    for (const ComponentPair& pair : choice.pairs) {
+        const auto k = to_size(pair.kind - maps.classes.data());
+        const AutomorphismGroup& group = maps.groups[k];
+        if (group.order() > 1 && symmetries[k].empty())
+            symmetries[k] = some_symmetries(maps, *pair.kind, group);
+        if (group.order() == 1 || is_confirmed(maps, pair, symmetries[k], group.order()))
+            confirmed += static_cast<double>(pair.size());
+    }
+    return confirmed / std::max(1, maps.source.n_triangles());
+}
+
+}  // namespace counterpart::symmetry
