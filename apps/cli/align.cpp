@@ -23,7 +23,8 @@ const std::map<std::string, TransformModel> models = {{"rigid", TransformModel::
 
 struct AlignCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, output;
+    MeshInput source, target;
+    std::filesystem::path map, output;
     std::string model = "rigid";
     bool use_icp = false;
     IcpOptions icp;
@@ -144,8 +145,10 @@ void run(const AlignCommand& command) {
 void add_align(CLI::App& program) {
     auto command = std::make_shared<AlignCommand>();
     CLI::App* align = program.add_subcommand("align", "Align SOURCE with TARGET using a map, ICP, or both");
-    add_input(*align, command->common.files, "SOURCE", command->source, "Mesh file")->required();
-    add_input(*align, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*align, command->common.files, "SOURCE", "--source-object", command->source, "Mesh file")
+        ->required();
+    add_mesh(*align, command->common.files, "TARGET", "--target-object", command->target, "Mesh file")
+        ->required();
     add_output(*align, command->common.files, "-o,--output", command->output, Content::mesh,
                "Mesh file for the aligned SOURCE")
         ->required();

@@ -18,7 +18,8 @@ namespace {
 
 struct BlendshapesCommand {
     CommonOptions common;
-    std::filesystem::path base, output;
+    MeshInput base;
+    std::filesystem::path output;
     std::vector<std::filesystem::path> shapes;
     bool keep = false;
 };
@@ -52,13 +53,14 @@ void run(const BlendshapesCommand& command) {
     AttributedMesh base = load_attributed_mesh(command.base, command.common);
     if (!command.keep) base.morphs.clear();
     Json shapes = Json::array();
-    for (const std::filesystem::path& file : command.shapes) {
+    for (const std::filesystem::path& path : command.shapes) {
+        const MeshInput file{path};
         const TriangleMesh shape = load_mesh(file, command.common);
         const FoundMap<SurfaceMap> found =
             surface_map_or_match({}, {base.mesh, shape, command.base, file}, command.common);
         const LastPose pose = last_pose(base.mesh, shape, found.map);
         const Points moved = pose.vertices - base.mesh.vertices;
-        const std::string name = unused_name(file.stem().string(), base.morphs);
+        const std::string name = unused_name(path.stem().string(), base.morphs);
         base.morphs.push_back({name, moved});
         const double largest = moved.rowwise().norm().maxCoeff();
         say(command.common,
@@ -95,8 +97,8 @@ void add_blendshapes(CLI::App& program) {
     FileArguments& files = command->common.files;
     CLI::App* blendshapes = program.add_subcommand(
         "blendshapes", "Join many shapes of one face or body into a GLB with named blend shapes");
-    add_input(*blendshapes, files, "BASE", command->base,
-              "Mesh file of the neutral shape, with its attributes")
+    add_mesh(*blendshapes, files, "BASE", "--base-object", command->base,
+             "Mesh file of the neutral shape, with its attributes")
         ->required();
     add_input(
         *blendshapes, files, "SHAPE", command->shapes,

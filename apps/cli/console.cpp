@@ -39,6 +39,19 @@ double peak_memory() {
     return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
+ReadOptions reading(const MeshInput& mesh, const CommonOptions& options) {
+    ReadOptions read = options.read;
+    read.object = mesh.object;
+    return read;
+}
+
+// "source_object" of "--source-object".
+std::string key_of(const std::string& option) {
+    std::string key = option.substr(2);
+    std::replace(key.begin(), key.end(), '-', '_');
+    return key;
+}
+
 class Bar {
   public:
     explicit Bar(std::string label) : label_(std::move(label)) {}
@@ -111,15 +124,15 @@ void print(const CommonOptions& options, const std::string& text) {
 
 void warn(const std::string& message) { std::fputs(("warning: " + message + "\n").c_str(), stderr); }
 
-TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options) {
-    MeshFile loaded = read_mesh(file, options.read);
-    for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
+TriangleMesh load_mesh(const MeshInput& mesh, const CommonOptions& options) {
+    MeshFile loaded = read_mesh(mesh, reading(mesh, options));
+    for (const std::string& notice : loaded.notices) say(options, mesh.string() + ": " + notice);
     return std::move(loaded.mesh);
 }
 
-AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options) {
-    AttributedMeshFile loaded = read_attributed_mesh(file, options.read);
-    for (const std::string& notice : loaded.notices) say(options, file.string() + ": " + notice);
+AttributedMesh load_attributed_mesh(const MeshInput& mesh, const CommonOptions& options) {
+    AttributedMeshFile loaded = read_attributed_mesh(mesh, reading(mesh, options));
+    for (const std::string& notice : loaded.notices) say(options, mesh.string() + ": " + notice);
     return std::move(loaded.content);
 }
 
@@ -128,19 +141,20 @@ bool holds_tetrahedra(const std::filesystem::path& file) {
     return std::find(solids.begin(), solids.end(), lower_extension(file)) != solids.end();
 }
 
-std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options) {
-    std::optional<TetrahedralMeshFile> loaded = read_tetrahedral_mesh(file);
+std::optional<TetrahedralMesh> load_solid(const MeshInput& mesh, const CommonOptions& options) {
+    if (mesh.object && *mesh.object != "0") return std::nullopt;  // load_mesh refuses any other
+    std::optional<TetrahedralMeshFile> loaded = read_tetrahedral_mesh(mesh);
     if (!loaded) return std::nullopt;
-    for (const std::string& notice : loaded->notices) say(options, file.string() + ": " + notice);
+    for (const std::string& notice : loaded->notices) say(options, mesh.string() + ": " + notice);
     return std::move(loaded->mesh);
 }
 
-std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const std::filesystem::path& source,
-                                                                       const std::filesystem::path& target,
+std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const MeshInput& source,
+                                                                       const MeshInput& target,
                                                                        const CommonOptions& options) {
     const std::vector<std::string> known = mesh_extensions().read_solids;
-    for (const std::filesystem::path& file : {source, target})
-        if (std::find(known.begin(), known.end(), lower_extension(file)) == known.end()) return std::nullopt;
+    for (const MeshInput* mesh : {&source, &target})
+        if (std::find(known.begin(), known.end(), lower_extension(*mesh)) == known.end()) return std::nullopt;
     auto first = load_solid(source, options);
     if (!first) return std::nullopt;
     auto second = load_solid(target, options);
@@ -159,8 +173,11 @@ Progress progress_bar(const std::string& label, const CommonOptions& options) {
 void write_report(const Json& report, const CommonOptions& options) {
     if (options.report.empty()) return;
     Json whole = report;
+    for (const FileArgument& file : options.files)
+        if (file.mesh != nullptr && file.mesh->object) whole[key_of(file.object_option)] = *file.mesh->object;
     whole["peak_memory_bytes"] = peak_memory();
-    write_file(whole.dump(2) + "\n", options.report);
+    // Names in files may be in any encoding.
+    write_file(whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", options.report);
 }
 
 Json to_json(const std::vector<StageTime>& stages) {

@@ -56,24 +56,24 @@ void print(const CommonOptions& options, const std::string& text);
 /// "warning: ..." on stderr, also with --quiet.
 void warn(const std::string& message);
 /// Reads a mesh and prints its notices, each prefixed with the file's name.
-TriangleMesh load_mesh(const std::filesystem::path& file, const CommonOptions& options);
+TriangleMesh load_mesh(const MeshInput& mesh, const CommonOptions& options);
 /// The same, with the attributes that the file holds.
-AttributedMesh load_attributed_mesh(const std::filesystem::path& file, const CommonOptions& options);
+AttributedMesh load_attributed_mesh(const MeshInput& mesh, const CommonOptions& options);
 
 /// Whether the format that the name tells is one that solids are written in.
 bool holds_tetrahedra(const std::filesystem::path& file);
 /// The tetrahedra of a file that has any, with its notices printed.
-std::optional<TetrahedralMesh> load_solid(const std::filesystem::path& file, const CommonOptions& options);
+std::optional<TetrahedralMesh> load_solid(const MeshInput& mesh, const CommonOptions& options);
 /// Both, if both files have tetrahedra: then solids are meant, else the surface of one that has them.
-std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const std::filesystem::path& source,
-                                                                       const std::filesystem::path& target,
+std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const MeshInput& source,
+                                                                       const MeshInput& target,
                                                                        const CommonOptions& options);
 
 /// A bar on stderr that appears after a second of work; silent when stderr is not a terminal or with --quiet.
 /// Cancels the work when the user interrupts the program.
 Progress progress_bar(const std::string& label, const CommonOptions& options);
 
-/// Writes the report, and the most memory held, if --report was given.
+/// Writes the report, the objects that were chosen, and the most memory held, if --report was given.
 void write_report(const Json& report, const CommonOptions& options);
 
 Json to_json(const std::vector<StageTime>& stages);

@@ -17,7 +17,8 @@ namespace {
 
 struct ConvertCommand {
     CommonOptions common;
-    std::filesystem::path input, output;
+    MeshInput input;
+    std::filesystem::path output;
     double weld_distance = -1;
     int cells = 0;
 };
@@ -72,7 +73,7 @@ void add_convert(CLI::App& program) {
     auto command = std::make_shared<ConvertCommand>();
     CLI::App* convert =
         program.add_subcommand("convert", "Convert a mesh to another format, keeping the vertex order");
-    add_input(*convert, command->common.files, "IN", command->input, "Mesh file")->required();
+    add_mesh(*convert, command->common.files, "IN", "--object", command->input, "Mesh file")->required();
     add_output(*convert, command->common.files, "OUT", command->output, Content::mesh,
                "Mesh file; format from the file extension")
         ->required();

@@ -24,7 +24,8 @@ namespace {
 
 struct DeformCommand {
     CommonOptions common;
-    std::filesystem::path input, output, truth;
+    MeshInput input;
+    std::filesystem::path output, truth;
     double bend_degrees = 0, twist_degrees = 0;
     DeformOptions options;
     BodyOptions body{.subdivisions = 3};
@@ -107,8 +108,10 @@ void run(const DeformCommand& command) {
             "--truth needs --shuffle, --cut, --holes, --seen-from, --retriangulate or --glue: without them "
             "the true "
             "map is the identity");
-    Derived derived(command.input == "body" ? make_body(command.body)
-                                            : load_mesh(command.input, command.common));
+    if (command.input.file == "body" && command.input.object)
+        throw InvalidInput("--object is of a mesh file: 'body' is one object");
+    Derived derived(command.input.file == "body" ? make_body(command.body)
+                                                 : load_mesh(command.input, command.common));
     DeformOptions options = command.options;
     options.bend = command.bend_degrees * std::numbers::pi / 180;
     options.twist = command.twist_degrees * std::numbers::pi / 180;
@@ -157,8 +160,8 @@ void run(const DeformCommand& command) {
 void add_deform(CLI::App& program) {
     auto command = std::make_shared<DeformCommand>();
     CLI::App* deform = program.add_subcommand("deform", "Deform a mesh to create test data");
-    add_input(*deform, command->common.files, "IN", command->input,
-              "Mesh file, or the word 'body' for a built-in figure")
+    add_mesh(*deform, command->common.files, "IN", "--object", command->input,
+             "Mesh file, or the word 'body' for a built-in figure")
         ->required();
     add_output(*deform, command->common.files, "OUT", command->output, Content::mesh, "Mesh file")
         ->required();

@@ -15,7 +15,8 @@ namespace {
 
 struct DescriptorsCommand {
     CommonOptions common;
-    std::filesystem::path mesh, output;
+    MeshInput mesh;
+    std::filesystem::path output;
     std::string kind = "wks";
     int columns = 40;
 };
@@ -47,7 +48,7 @@ void run(const DescriptorsCommand& command) {
 void add_descriptors(CLI::App& program) {
     auto command = std::make_shared<DescriptorsCommand>();
     CLI::App* descriptors = program.add_subcommand("descriptors", "Compute per-vertex descriptors of a mesh");
-    add_input(*descriptors, command->common.files, "MESH", command->mesh, "Mesh file")->required();
+    add_mesh(*descriptors, command->common.files, "MESH", "--object", command->mesh, "Mesh file")->required();
     add_output(*descriptors, command->common.files, "-o,--output", command->output, Content::matrix,
                "NumPy file (.npy): float64, vertices x columns")
         ->required();

@@ -19,7 +19,8 @@ namespace {
 
 struct DistancesCommand {
     CommonOptions common;
-    std::filesystem::path mesh, output;
+    MeshInput mesh;
+    std::filesystem::path output;
     bool plain_edges = false;
     Index n_base_vertices = 0;
     std::vector<Index> sources;
@@ -81,7 +82,7 @@ void add_distances(CLI::App& program) {
     auto command = std::make_shared<DistancesCommand>();
     CLI::App* distances =
         program.add_subcommand("distances", "Write geodesic distances between vertices of MESH");
-    add_input(*distances, command->common.files, "MESH", command->mesh, "Mesh file")->required();
+    add_mesh(*distances, command->common.files, "MESH", "--object", command->mesh, "Mesh file")->required();
     add_output(*distances, command->common.files, "-o,--output", command->output, Content::matrix,
                "NumPy file (.npy): float64, row i = distances from vertex i, inf between components")
         ->required();

@@ -26,7 +26,8 @@ namespace {
 
 struct EvaluateCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, curve;
+    MeshInput source, target;
+    std::filesystem::path map, curve;
     TruthOptions truth;
     Index samples = 0;
     bool plain_edges = false, overlap = false;
@@ -177,8 +178,10 @@ void add_evaluate(CLI::App& program) {
     CLI::App* evaluate = program.add_subcommand(
         "evaluate",
         "Measure the quality of a map from SOURCE to TARGET, and its errors if the truth is given");
-    add_input(*evaluate, command->common.files, "SOURCE", command->source, "Mesh file")->required();
-    add_input(*evaluate, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*evaluate, command->common.files, "SOURCE", "--source-object", command->source, "Mesh file")
+        ->required();
+    add_mesh(*evaluate, command->common.files, "TARGET", "--target-object", command->target, "Mesh file")
+        ->required();
     add_input(*evaluate, command->common.files, "MAP", command->map,
               "Map file: line i = target vertex of source vertex i, 0-based; or a surface map")
         ->required();

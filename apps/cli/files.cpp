@@ -197,6 +197,22 @@ CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::strin
     return name[0] == '-' ? option->type_name("FILE") : option;
 }
 
+std::string MeshInput::words() const {
+    return object ? fmt::format("{}, object '{}'", file.string(), *object) : file.string();
+}
+
+CLI::Option* add_mesh(CLI::App& command, FileArguments& files, const std::string& name,
+                      const std::string& object, MeshInput& mesh, const std::string& help) {
+    files.push_back({name_of(name), &mesh.file, nullptr, {}, &mesh, object});
+    CLI::Option* option = command.add_option(name, mesh.file, help);
+    command
+        .add_option_function<std::string>(
+            object, [&mesh](const std::string& chosen) { mesh.object = chosen; },
+            fmt::format("Read this object of {} alone: its name, or its number as 'inspect' lists it", name))
+        ->type_name("OBJECT");
+    return option;
+}
+
 CLI::Option* add_output(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,
                         Content content, const std::string& help) {
     files.push_back({name_of(name), &file, nullptr, content});
@@ -204,6 +220,9 @@ CLI::Option* add_output(CLI::App& command, FileArguments& files, const std::stri
 }
 
 void check_files(const FileArguments& files) {
+    for (const FileArgument& argument : files)
+        if (argument.mesh != nullptr && argument.mesh->object && argument.file->empty())
+            throw InvalidInput(fmt::format("{} needs {}", argument.object_option, argument.option));
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (!files[i].written || files[i].file->empty()) continue;
         fs::path& output = *files[i].file;

@@ -16,12 +16,25 @@ namespace counterpart::cli {
 /// What an output file holds, which decides the endings that fit.
 enum class Content { mesh, map, matrix, landmarks, page, picture, table, report, frames, prefix, folder };
 
+/// A mesh file that is read, and the object of it that is meant; nothing: all of them.
+struct MeshInput {
+    std::filesystem::path file{};
+    std::optional<std::string> object{};
+
+    operator const std::filesystem::path&() const { return file; }
+    std::string string() const { return file.string(); }
+    /// "scene.obj" or "scene.obj, object 'arm'".
+    std::string words() const;
+};
+
 /// An option or positional that names files.
 struct FileArgument {
     std::string option;  // "SOURCE", "--map"
     std::filesystem::path* file = nullptr;
     std::vector<std::filesystem::path>* several = nullptr;  // instead of `file`
     std::optional<Content> written;                         // nothing: it is read
+    const MeshInput* mesh = nullptr;                        // that it is the file of
+    std::string object_option{};                            // "--source-object"
 };
 using FileArguments = std::vector<FileArgument>;
 
@@ -30,6 +43,9 @@ CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::strin
                        std::filesystem::path& file, const std::string& help);
 CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name,
                        std::vector<std::filesystem::path>& several, const std::string& help);
+/// A mesh, and the option `object` that chooses one of its objects; returns the former.
+CLI::Option* add_mesh(CLI::App& command, FileArguments& files, const std::string& name,
+                      const std::string& object, MeshInput& mesh, const std::string& help);
 /// An option for a file that is written; '-' is standard output.
 CLI::Option* add_output(CLI::App& command, FileArguments& files, const std::string& name,
                         std::filesystem::path& file, Content content, const std::string& help);

@@ -22,7 +22,8 @@ namespace {
 
 struct FitCommand {
     CommonOptions common;
-    std::filesystem::path model, scan, map, output, distance;
+    MeshInput model, scan;
+    std::filesystem::path map, output, distance;
     KnownPairsFiles landmarks;
     bool color = false;
     double largest_color = 0;
@@ -127,9 +128,11 @@ void add_fit(CLI::App& program) {
     auto command = std::make_shared<FitCommand>();
     FileArguments& files = command->common.files;
     CLI::App* fit = program.add_subcommand("fit", "Lay TEMPLATE's mesh, smooth, on the surface of SCAN");
-    add_input(*fit, files, "TEMPLATE", command->model, "Mesh file whose triangles and attributes are kept")
+    add_mesh(*fit, files, "TEMPLATE", "--source-object", command->model,
+             "Mesh file whose triangles and attributes are kept")
         ->required();
-    add_input(*fit, files, "SCAN", command->scan, "Mesh file whose surface is taken; may have holes")
+    add_mesh(*fit, files, "SCAN", "--target-object", command->scan,
+             "Mesh file whose surface is taken; may have holes")
         ->required();
     add_output(*fit, files, "-o,--output", command->output, Content::mesh,
                "Mesh file for the fitted TEMPLATE")

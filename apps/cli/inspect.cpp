@@ -6,6 +6,7 @@
 #include "material_files.hpp"
 
 #include <counterpart/base/progress.hpp>
+#include <counterpart/io/mesh_objects.hpp>
 #include <counterpart/match/choose_method.hpp>
 #include <counterpart/match/compare.hpp>
 #include <counterpart/mesh/analyze.hpp>
@@ -23,7 +24,7 @@ namespace {
 
 struct InspectCommand {
     CommonOptions common;
-    std::filesystem::path mesh, other;
+    MeshInput mesh, other;
     std::size_t n_components = 5;
 };
 
@@ -103,6 +104,30 @@ std::string describe(const AttributedMesh& content) {
     return text;
 }
 
+// Where there are several.
+std::string describe(const std::vector<MeshObject>& objects) {
+    constexpr std::size_t most_listed = 100;
+    if (objects.size() < 2) return "";
+    std::string text = fmt::format("objects     {} (one alone: --object)\n", objects.size());
+    for (std::size_t k = 0; k < std::min(objects.size(), most_listed); ++k)
+        text += fmt::format("  {}: {}{} vertices, {} triangles\n", k,
+                            objects[k].name.empty() ? "" : fmt::format("'{}', ", objects[k].name),
+                            objects[k].n_vertices, objects[k].n_triangles);
+    if (objects.size() > most_listed)
+        text += fmt::format("  ... and {} more, which --report lists\n", objects.size() - most_listed);
+    return text;
+}
+
+Json objects_json(const std::vector<MeshObject>& objects) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < objects.size(); ++k)
+        list.push_back({{"number", k},
+                        {"name", objects[k].name},
+                        {"vertices", objects[k].n_vertices},
+                        {"triangles", objects[k].n_triangles}});
+    return list;
+}
+
 Json attributes_json(const AttributedMesh& content) {
     Json shapes = Json::array();
     for (const MorphTarget& shape : content.morphs) shapes.push_back(shape.name);
@@ -174,22 +199,26 @@ void run(const InspectCommand& command) {
     const TriangleMesh& mesh = content.mesh;
     watch.lap("read");
     const MeshReport report = analyze(mesh);
-    std::string text = describe(report, command.n_components) + describe(content);
+    const std::vector<MeshObject> objects = mesh_objects(content);
+    std::string text = describe(report, command.n_components) + describe(objects) + describe(content);
     Json json = {{"command", "inspect"}, {"mesh", command.mesh.string()}};
     json.update(mesh_json(report));
     json["attributes"] = attributes_json(content);
-    if (!command.other.empty()) {
+    json["objects"] = objects_json(objects);
+    if (!command.other.file.empty()) {
         const AttributedMesh other_content = load_attributed_mesh(command.other, command.common);
         const TriangleMesh& other = other_content.mesh;
         const MeshComparison comparison = compare(mesh, other);
         const MeshReport& other_report = comparison.target;
-        text = fmt::format("first: {}\n{}\nsecond: {}\n{}\nfirst and second\n", command.mesh.string(), text,
-                           command.other.string(),
-                           describe(other_report, command.n_components) + describe(other_content));
+        const std::vector<MeshObject> other_objects = mesh_objects(other_content);
+        text = fmt::format("first: {}\n{}\nsecond: {}\n{}{}{}\nfirst and second\n", command.mesh.words(),
+                           text, command.other.words(), describe(other_report, command.n_components),
+                           describe(other_objects), describe(other_content));
         const MeshPair pair{mesh, other, command.mesh, command.other};
         for (const Message& message : comparison.messages) text += "  " + named(message, pair) + "\n";
         json["other"] = mesh_json(other_report);
         json["other"]["attributes"] = attributes_json(other_content);
+        json["other"]["objects"] = objects_json(other_objects);
         const MethodChoice choice = choose_method(mesh, other);
         text += fmt::format("  'match' takes the method {}, because {}\n", to_string(choice.method),
                             choice.reason);
@@ -209,9 +238,9 @@ void add_inspect(CLI::App& program) {
     auto command = std::make_shared<InspectCommand>();
     CLI::App* inspect =
         program.add_subcommand("inspect", "Print mesh statistics and defects, or compare two meshes");
-    add_input(*inspect, command->common.files, "MESH", command->mesh, "Mesh file")->required();
-    add_input(*inspect, command->common.files, "OTHER", command->other,
-              "Another mesh file to compare with: connectivity, scale, up axis, mirrored, parts missing");
+    add_mesh(*inspect, command->common.files, "MESH", "--object", command->mesh, "Mesh file")->required();
+    add_mesh(*inspect, command->common.files, "OTHER", "--other-object", command->other,
+             "Another mesh file to compare with: connectivity, scale, up axis, mirrored, parts missing");
     inspect->add_option("--components", command->n_components, "Number of components to list")
         ->check(whole_number(0))
         ->capture_default_str();

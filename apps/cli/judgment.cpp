@@ -38,9 +38,9 @@ Json Judgment::report() const {
 std::string named(const Message& message, const MeshPair& pair) {
     switch (message.where.subject) {
         case Subject::source:
-            return pair.source_file.string() + ": " + message.sentence;
+            return pair.source_file.words() + ": " + message.sentence;
         case Subject::target:
-            return pair.target_file.string() + ": " + message.sentence;
+            return pair.target_file.words() + ": " + message.sentence;
         case Subject::map:
             break;
     }
@@ -60,7 +60,7 @@ void say_messages(const CommonOptions& options, const std::vector<Message>& mess
         if (message.severity == Severity::notice)
             say(options, named(message, pair));
         else if (message.where.subject == Subject::map)
-            warn(fmt::format("{} -> {}: {}", pair.source_file.string(), pair.target_file.string(),
+            warn(fmt::format("{} -> {}: {}", pair.source_file.words(), pair.target_file.words(),
                              message.sentence));
         else
             warn(named(message, pair));

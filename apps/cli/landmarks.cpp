@@ -15,7 +15,8 @@ namespace {
 
 struct LandmarksCommand {
     CommonOptions common;
-    std::filesystem::path source, target, points, map, output;
+    MeshInput source, target;
+    std::filesystem::path points, map, output;
 };
 
 Points as_rows(const std::vector<Landmark>& landmarks) {
@@ -62,8 +63,8 @@ void add_landmarks(CLI::App& program) {
     FileArguments& files = command->common.files;
     CLI::App* landmarks =
         program.add_subcommand("landmarks", "Carry landmarks that were set on SOURCE to TARGET");
-    add_input(*landmarks, files, "SOURCE", command->source, "Mesh file")->required();
-    add_input(*landmarks, files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*landmarks, files, "SOURCE", "--source-object", command->source, "Mesh file")->required();
+    add_mesh(*landmarks, files, "TARGET", "--target-object", command->target, "Mesh file")->required();
     add_input(*landmarks, files, "POINTS", command->points,
               "Landmarks on SOURCE, in its frame: .mrk.json or .fcsv of 3D Slicer, .json of scalismo, .csv")
         ->required();

@@ -21,8 +21,8 @@ namespace counterpart::cli {
 struct MeshPair {
     const TriangleMesh& source;
     const TriangleMesh& target;
-    const std::filesystem::path& source_file;
-    const std::filesystem::path& target_file;
+    const MeshInput& source_file;
+    const MeshInput& target_file;
 };
 
 /// A map as its file holds it: a surface map also as the vertex map of its nearest corners.

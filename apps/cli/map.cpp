@@ -25,7 +25,8 @@ constexpr int max_functions = 1000;  // of a functional map: more take minutes
 
 struct MapCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, output, middle;
+    MeshInput source, target;
+    std::filesystem::path map, output, middle;
     std::vector<std::filesystem::path> chain;
     std::string from = "map", to = "surface";
     int size = 100;
@@ -195,8 +196,8 @@ AddedOperation add_operation(CLI::App& map, const char* name, const char* help, 
     FileArguments& files = command->common.files;
     CLI::App* operation = map.add_subcommand(name, help);
     if (on_meshes) {
-        add_input(*operation, files, "SOURCE", command->source, "Mesh file")->required();
-        add_input(*operation, files, "TARGET", command->target, "Mesh file")->required();
+        add_mesh(*operation, files, "SOURCE", "--source-object", command->source, "Mesh file")->required();
+        add_mesh(*operation, files, "TARGET", "--target-object", command->target, "Mesh file")->required();
         add_input(*operation, files, "MAP", command->map, "Map from SOURCE to TARGET")->required();
     } else {
         add_input(*operation, files, "MAP", command->chain, "Maps, each from where the one before it goes to")

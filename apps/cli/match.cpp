@@ -30,7 +30,8 @@ namespace {
 
 struct MatchCommand {
     CommonOptions common;
-    std::filesystem::path source, target, output, inverse, confidence, initial, functional;
+    MeshInput source, target;
+    std::filesystem::path output, inverse, confidence, initial, functional;
     int functional_size = 100;
     FillArguments fill;
     std::string method = "auto";
@@ -232,10 +233,11 @@ void add_match(CLI::App& program) {
     auto command = std::make_shared<MatchCommand>();
     CLI::App* match = program.add_subcommand(
         "match", "Find the vertex of TARGET that corresponds to each vertex of SOURCE");
-    add_input(*match, command->common.files, "SOURCE", command->source,
-              "Mesh file; solids of tetrahedra are matched inside too")
+    add_mesh(*match, command->common.files, "SOURCE", "--source-object", command->source,
+             "Mesh file; solids of tetrahedra are matched inside too")
         ->required();
-    add_input(*match, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*match, command->common.files, "TARGET", "--target-object", command->target, "Mesh file")
+        ->required();
     add_output(*match, command->common.files, "-o,--output", command->output, Content::map,
                "Map file, text or .npy: line i = target vertex of source vertex i, 0-based")
         ->required();

@@ -21,7 +21,8 @@ namespace {
 
 struct MorphCommand {
     CommonOptions common;
-    std::filesystem::path first, last, map, output;
+    MeshInput first, last;
+    std::filesystem::path map, output;
     std::string format = ".obj";
     int count = 24;
     double frames_per_second = 24;
@@ -168,10 +169,12 @@ void run(const MorphCommand& command) {
 void add_morph(CLI::App& program) {
     auto command = std::make_shared<MorphCommand>();
     CLI::App* morph = program.add_subcommand("morph", "Interpolate between two poses A and B");
-    add_input(*morph, command->common.files, "A", command->first,
-              "Mesh file: the first key frame, whose connectivity is kept")
+    add_mesh(*morph, command->common.files, "A", "--source-object", command->first,
+             "Mesh file: the first key frame, whose connectivity is kept")
         ->required();
-    add_input(*morph, command->common.files, "B", command->last, "Mesh file: the last key frame")->required();
+    add_mesh(*morph, command->common.files, "B", "--target-object", command->last,
+             "Mesh file: the last key frame")
+        ->required();
     add_input(*morph, command->common.files, "--map", command->map,
               "Map from A to B. Default: match them first, unless they have the same triangles")
         ->type_name("FILE");

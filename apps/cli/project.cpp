@@ -15,7 +15,8 @@ namespace {
 
 struct ProjectCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, output, inverse;
+    MeshInput source, target;
+    std::filesystem::path map, output, inverse;
     int extend = 0;
 };
 
@@ -48,8 +49,10 @@ void add_project(CLI::App& program) {
     auto command = std::make_shared<ProjectCommand>();
     CLI::App* project = program.add_subcommand(
         "project", "Convert a vertex map to a sub-vertex map (triangle and barycentric weights)");
-    add_input(*project, command->common.files, "SOURCE", command->source, "Mesh file")->required();
-    add_input(*project, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*project, command->common.files, "SOURCE", "--source-object", command->source, "Mesh file")
+        ->required();
+    add_mesh(*project, command->common.files, "TARGET", "--target-object", command->target, "Mesh file")
+        ->required();
     add_input(*project, command->common.files, "--map", command->map, "Map from SOURCE to TARGET")
         ->required()
         ->type_name("FILE");

@@ -21,7 +21,8 @@ namespace counterpart::cli {
 namespace {
 
 struct RenderCommand {
-    std::filesystem::path source, target, output;
+    MeshInput source, target;
+    std::filesystem::path output;
     std::vector<std::filesystem::path> maps;
     TruthOptions truth;
     std::string show, size = "1600x1000", colormap = "magma";
@@ -51,12 +52,13 @@ void check(const RenderCommand& command, const Figure& figure) {
     const auto fail = [&](const char* what) {
         throw InvalidInput(fmt::format("--show {} needs {}", figure.name, what));
     };
-    if (figure.needs_target && command.target.empty()) fail("two meshes: SOURCE and TARGET");
+    if (figure.needs_target && command.target.file.empty()) fail("two meshes: SOURCE and TARGET");
     if (figure.needs_map && command.maps.empty()) fail("--map");
     if (figure.needs_truth && !command.truth.given())
         fail("the truth: --truth, or --source-truth and --target-truth");
-    if (!command.maps.empty() && command.target.empty()) throw InvalidInput("--map needs SOURCE and TARGET");
-    if (figure.name == "matrix" && !command.target.empty() && command.maps.empty())
+    if (!command.maps.empty() && command.target.file.empty())
+        throw InvalidInput("--map needs SOURCE and TARGET");
+    if (figure.name == "matrix" && !command.target.file.empty() && command.maps.empty())
         fail("--map for two meshes");
     if (!figure.compares_maps && command.maps.size() > 1)
         throw InvalidInput("several maps need --show colors, checker or curve");
@@ -85,7 +87,7 @@ void read(RenderCommand& command, const Figure& figure) {
     request.source = std::move(source.mesh);
     if (request.view.up == "auto" && !figure.diagram)
         request.view.up = guessed_up(request.source, request.common);
-    if (!command.target.empty()) {
+    if (!command.target.file.empty()) {
         AttributedMesh target = load_attributed_mesh(command.target, request.common);
         request.target_colors = vertex_colors(target);
         request.target = std::move(target.mesh);
@@ -137,8 +139,8 @@ void run(RenderCommand& command) {
 
 void add_inputs(CLI::App& render, RenderCommand& command) {
     FileArguments& files = command.request.common.files;
-    add_input(render, files, "SOURCE", command.source, "Mesh file")->required();
-    add_input(render, files, "TARGET", command.target, "Mesh file");
+    add_mesh(render, files, "SOURCE", "--source-object", command.source, "Mesh file")->required();
+    add_mesh(render, files, "TARGET", "--target-object", command.target, "Mesh file");
     add_output(render, files, "-o,--output", command.output, Content::picture,
                "Image file: .png, or .svg for curves")
         ->required();

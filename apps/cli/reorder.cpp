@@ -27,7 +27,8 @@ struct ReorderCommand {
     CommonOptions common;
     ExactOptions options;
     bool allow_differences = false;
-    std::filesystem::path source, target, output;
+    MeshInput source, target;
+    std::filesystem::path output;
 };
 
 bool is_obj(const std::filesystem::path& file) { return lower_extension(file) == ".obj"; }
@@ -147,7 +148,8 @@ void run(const ReorderCommand& command) {
         match.messages.push_back(
             {MessageCode::turned_inside_out, Severity::notice,
              "its faces are wound the other way than the source's, so that the outside stays out"});
-    } else if (is_obj(command.target) && is_obj(command.output)) {
+    } else if (is_obj(command.target) && is_obj(command.output) && !command.source.object &&
+               !command.target.object) {
         const std::string shape = read_whole_file(command.target);
         write_file(
             is_obj(command.source)
@@ -171,13 +173,15 @@ void add_reorder(CLI::App& program) {
     auto command = std::make_shared<ReorderCommand>();
     CLI::App* reorder = program.add_subcommand(
         "reorder", "Write TARGET with the vertex order and faces of SOURCE (same connectivity)");
-    add_input(*reorder, command->common.files, "SOURCE", command->source, "Mesh file with the wanted order")
+    add_mesh(*reorder, command->common.files, "SOURCE", "--source-object", command->source,
+             "Mesh file with the wanted order")
         ->required();
-    add_input(*reorder, command->common.files, "TARGET", command->target, "Mesh file with the wanted shape")
+    add_mesh(*reorder, command->common.files, "TARGET", "--target-object", command->target,
+             "Mesh file with the wanted shape")
         ->required();
     add_output(
         *reorder, command->common.files, "-o,--output", command->output, Content::mesh,
-        "Mesh file. From .obj to .obj, positions keep their text and corners their texture coordinates "
+        "Mesh file. From whole .obj to .obj, positions keep their text and corners their texture coordinates "
         "and normals; polygons, groups and materials are those of SOURCE. glTF gets the attributes, "
         "materials and skeleton of TARGET, or of SOURCE if TARGET has none")
         ->required();

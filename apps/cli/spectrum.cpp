@@ -15,7 +15,8 @@ namespace {
 
 struct SpectrumCommand {
     CommonOptions common;
-    std::filesystem::path mesh, eigenvalues, functions, mass;
+    MeshInput mesh;
+    std::filesystem::path eigenvalues, functions, mass;
     int count = 100;
 };
 
@@ -46,7 +47,7 @@ void add_spectrum(CLI::App& program) {
     auto command = std::make_shared<SpectrumCommand>();
     CLI::App* spectrum =
         program.add_subcommand("spectrum", "Compute Laplace eigenvalues and eigenfunctions of a mesh");
-    add_input(*spectrum, command->common.files, "MESH", command->mesh, "Mesh file")->required();
+    add_mesh(*spectrum, command->common.files, "MESH", "--object", command->mesh, "Mesh file")->required();
     add_output(*spectrum, command->common.files, "-o,--output", command->eigenvalues, Content::matrix,
                "Eigenvalues, a vector (.npy)")
         ->required();

@@ -27,7 +27,8 @@ namespace {
 
 struct TransferCommand {
     CommonOptions common;
-    std::filesystem::path source, target, map, inverse, output;
+    MeshInput source, target;
+    std::filesystem::path map, inverse, output;
     std::vector<std::string> what;  // empty = all
     std::filesystem::path values, values_output;
     bool labels = false;
@@ -270,11 +271,11 @@ void add_transfer(CLI::App& program) {
     auto command = std::make_shared<TransferCommand>();
     CLI::App* transfer = program.add_subcommand(
         "transfer", "Transfer colors, texture, skin and morph targets from SOURCE to TARGET");
-    add_input(*transfer, command->common.files, "SOURCE", command->source,
-              "Mesh file with the attributes: .glb, .gltf, .obj or .ply")
+    add_mesh(*transfer, command->common.files, "SOURCE", "--source-object", command->source,
+             "Mesh file with the attributes: .glb, .gltf, .obj or .ply")
         ->required();
-    add_input(*transfer, command->common.files, "TARGET", command->target,
-              "Mesh file that gets them and keeps its shape")
+    add_mesh(*transfer, command->common.files, "TARGET", "--target-object", command->target,
+             "Mesh file that gets them and keeps its shape")
         ->required();
     CLI::Option* map =
         add_input(*transfer, command->common.files, "--map", command->map,

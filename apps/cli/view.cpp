@@ -30,7 +30,8 @@ namespace {
 
 struct ViewCommand {
     CommonOptions common;
-    std::filesystem::path source, target, output;
+    MeshInput source, target;
+    std::filesystem::path output;
     std::vector<std::filesystem::path> maps, values;
     TruthOptions truth;
     std::string up = "auto";
@@ -110,6 +111,12 @@ std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
     return image;
 }
 
+// As the page calls a mesh.
+std::string name_of(const MeshInput& mesh) {
+    const std::string file = mesh.file.stem().string();
+    return mesh.object ? fmt::format("{} ({})", file, *mesh.object) : file;
+}
+
 // view.html in the current folder, or the first view_2.html, ... that is not there: nothing is replaced.
 std::filesystem::path unused_page() {
     std::filesystem::path page = "view.html";
@@ -154,8 +161,8 @@ void run(ViewCommand& command) {
         options.values.push_back(std::move(*alike));
     options.source_appearance = appearance_of(source_content, command.source, command.common);
     options.target_appearance = appearance_of(target_content, command.target, command.common);
-    options.source_name = command.source.stem().string();
-    options.target_name = command.target.stem().string();
+    options.source_name = name_of(command.source);
+    options.target_name = name_of(command.target);
     const std::optional<GroundTruth> truth = read_truth(command.truth);
     watch.lap("read");
 
@@ -193,8 +200,10 @@ void add_view(CLI::App& program) {
     auto command = std::make_shared<ViewCommand>();
     CLI::App* view =
         program.add_subcommand("view", "Write a web page that shows two meshes and the maps between them");
-    add_input(*view, command->common.files, "SOURCE", command->source, "Mesh file")->required();
-    add_input(*view, command->common.files, "TARGET", command->target, "Mesh file")->required();
+    add_mesh(*view, command->common.files, "SOURCE", "--source-object", command->source, "Mesh file")
+        ->required();
+    add_mesh(*view, command->common.files, "TARGET", "--target-object", command->target, "Mesh file")
+        ->required();
     add_input(*view, command->common.files, "--map", command->maps,
               "Map of either kind. Give several to compare them. Default: match the meshes first");
     add_output(*view, command->common.files, "-o,--output", command->output, Content::page,

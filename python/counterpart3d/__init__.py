@@ -45,7 +45,17 @@ from ._match_results import (
     verdict,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
-from ._meshes import Mesh, MeshLike, inspect, read, vertex_areas, vertex_normals, write
+from ._meshes import (
+    Mesh,
+    MeshLike,
+    MeshObject,
+    inspect,
+    objects,
+    read,
+    vertex_areas,
+    vertex_normals,
+    write,
+)
 from ._messages import Message, Verdict, Where
 from ._pictures import Picture, View, render, view
 from ._shape_matching import SpectralShape, match_partial, match_spectral
@@ -107,6 +117,7 @@ __all__ = [
     "MatchResult",
     "Mesh",
     "MeshLike",
+    "MeshObject",
     "Message",
     "MethodChoice",
     "MorphResult",
@@ -157,6 +168,7 @@ __all__ = [
     "morph",
     "move_at_random",
     "nearest_corners",
+    "objects",
     "project_map",
     "read",
     "read_landmarks",

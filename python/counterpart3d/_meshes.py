@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
@@ -333,7 +333,54 @@ def content_of(mesh: MeshLike) -> _core.Content:
     return found._content or _core.Content(found.vertices, found.triangles)
 
 
-def read(file: str | os.PathLike[str], *, allow_external: bool = False, strict: bool = False) -> Mesh:
+class MeshObject(NamedTuple):
+    """One of the objects of a file, as `objects` lists them."""
+
+    number: int
+    """Its place among them, from 0."""
+    name: str
+    """May be empty, and that of another object too."""
+    n_vertices: int
+    """How many vertices it has."""
+    n_triangles: int
+    """How many triangles it has."""
+
+
+def objects(file: str | os.PathLike[str], *, allow_external: bool = False) -> list[MeshObject]:
+    """The objects of a mesh file that have triangles, of which `read` can take one alone.
+
+    In OBJ files they are what follows each line ``o`` or, without these, the groups ``g``; in glTF files the meshes, by
+    the names of the nodes that place them; in text STL files the solids. Other files have one, without a name.
+
+    Parameters
+    ----------
+    file : path
+        Its extension decides the format.
+    allow_external : bool
+        Follow what a glTF file names outside its own folder.
+
+    Raises
+    ------
+    IoError
+        The file cannot be read; names the file, the line and the reason.
+
+    Examples
+    --------
+    >>> import counterpart3d as cp
+    >>> for thing in cp.objects("scene.glb"):  # doctest: +SKIP
+    ...     cp.write(cp.read("scene.glb", object=thing.number), f"{thing.name}.ply")
+    """
+    listed = _core.objects(os.fspath(file), allow_external)
+    return [MeshObject(i, name.decode("utf-8", "replace"), *counts) for i, (name, *counts) in enumerate(listed)]
+
+
+def read(
+    file: str | os.PathLike[str],
+    *,
+    allow_external: bool = False,
+    strict: bool = False,
+    object: str | int | None = None,
+) -> Mesh:
     """Read a mesh with the polygons and attributes that its format holds.
 
     OFF, OBJ, PLY, STL, glTF (.glb, .gltf), VTK (.vtk, .vtp) and GIfTI (.gii) are read, and the surfaces of solids
@@ -347,13 +394,18 @@ def read(file: str | os.PathLike[str], *, allow_external: bool = False, strict: 
         Follow what a glTF file names outside its own folder.
     strict : bool
         Refuse vertices whose coordinates are no numbers. Else they are left out with a notice (`Mesh.left_out`).
+    object : str or int, optional
+        Read this object of the file alone: the one of that name or, if none has it, of that number, as `objects` lists
+        them. Its vertices and triangles are in the file's order. Default: the whole file.
 
     Raises
     ------
     IoError
-        The file cannot be read; names the file, the line and the reason.
+        The file cannot be read, or has no such object, or several of that name; names the file, the line and the
+        reason.
     """
-    content, notices = _core.read(os.fspath(file), allow_external, strict)
+    chosen = None if object is None else str(object)
+    content, notices = _core.read(os.fspath(file), allow_external, strict, chosen)
     return Mesh._of(content, notices)
 
 

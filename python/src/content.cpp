@@ -10,6 +10,7 @@
 #include <counterpart/io/gltf.hpp>
 #include <counterpart/io/landmark_points.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/io/mesh_objects.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
 #include <iterator>
@@ -82,6 +83,15 @@ nb::object document_state(const AttributedMesh& content) {
     return nb::bytes(bytes.data(), bytes.size());
 }
 
+nb::bytes bytes_of(const std::string& text) { return nb::bytes(text.data(), text.size()); }
+
+// Their names may be in any encoding.
+nb::tuple objects_state(const MeshObjects& objects) {
+    std::vector<nb::bytes> names;
+    for (const std::string& name : objects.names) names.push_back(bytes_of(name));
+    return nb::make_tuple(names, array(objects.of_triangle), array(objects.of_vertex));
+}
+
 // All that a mesh holds, in the order of `restore`.
 nb::tuple state_of(AttributedMesh& self) {
     nb::list morphs;
@@ -95,19 +105,21 @@ nb::tuple state_of(AttributedMesh& self) {
                           view_of(self, self.normals), view_of(self, self.texture_coordinates),
                           view_of(self, self.colors), view_of(self, self.skin.joints),
                           view_of(self, self.skin.weights), morphs, array(self.parts), self.part_names,
-                          document_state(self), values, array(self.mesh.left_out));
+                          document_state(self), values, array(self.mesh.left_out),
+                          objects_state(self.objects));
 }
 
+using ObjectsState = std::tuple<std::vector<nb::bytes>, IndexArray, IndexArray>;
 using AttributeState = std::tuple<MatrixArray, TriangleArray>;
 using State =
     std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
                std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
                std::vector<std::tuple<std::string, PointArray>>, IndexArray, std::vector<std::string>,
-               std::optional<nb::bytes>, std::vector<std::tuple<std::string, MatrixArray>>, IndexArray>;
+               std::optional<nb::bytes>, std::vector<std::tuple<std::string, MatrixArray>>, IndexArray, ObjectsState>;
 
 AttributedMesh restore(const State& state) {
     const auto& [vertices, triangles, first, corners, normals, texture_coordinates, colors, joints, weights,
-                 morphs, parts, part_names, document, values, left_out] = state;
+                 morphs, parts, part_names, document, values, left_out, objects] = state;
     AttributedMesh self;
     self.mesh = {
         map_of(vertices), map_of(triangles), {vector_of(first), map_of(corners)}, vector_of(left_out)};
@@ -125,6 +137,10 @@ AttributedMesh restore(const State& state) {
     self.parts = vector_of(parts);
     self.part_names = part_names;
     if (document) self.document = document_from_bytes({document->c_str(), document->size()});
+    const auto& [object_names, of_triangle, of_vertex] = objects;
+    for (const nb::bytes& name : object_names) self.objects.names.emplace_back(name.c_str(), name.size());
+    self.objects.of_triangle = vector_of(of_triangle);
+    self.objects.of_vertex = vector_of(of_vertex);
     return self;
 }
 
@@ -267,13 +283,25 @@ void bind_content(nb::module_& module) {
 
     module.def(
         "read",
-        [](const std::filesystem::path& file, bool allow_external, bool strict) {
+        [](const std::filesystem::path& file, bool allow_external, bool strict,
+           const std::optional<std::string>& object) {
             AttributedMeshFile read = run([&] {
-                return read_attributed_mesh(file, {.allow_external = allow_external, .strict = strict});
+                return read_attributed_mesh(
+                    file, {.allow_external = allow_external, .strict = strict, .object = object});
             });
             return std::tuple(std::move(read.content), std::move(read.notices));
         },
-        "file"_a, "allow_external"_a, "strict"_a);
+        "file"_a, "allow_external"_a, "strict"_a, "object"_a.none());
+    module.def(
+        "objects",
+        [](const std::filesystem::path& file, bool allow_external) {
+            std::vector<std::tuple<nb::bytes, Index, Index>> list;
+            for (const MeshObject& object :
+                 run([&] { return mesh_objects(file, {.allow_external = allow_external}); }))
+                list.emplace_back(bytes_of(object.name), object.n_vertices, object.n_triangles);
+            return list;
+        },
+        "file"_a, "allow_external"_a);
     module.def(
         "write",
         [](const AttributedMesh& content, const std::filesystem::path& file) {

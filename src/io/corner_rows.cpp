@@ -30,6 +30,22 @@ void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) 
             fmt::format("{} has {} rows where the mesh has {} vertices", what, rows, n_vertices));
 }
 
+void require_objects(const MeshObjects& objects, MeshView mesh) {
+    if (objects.names.empty()) return;
+    if (std::ssize(objects.of_triangle) != mesh.n_triangles() ||
+        (!objects.of_vertex.empty() && std::ssize(objects.of_vertex) != mesh.n_vertices()))
+        throw InvalidInput(fmt::format("there are {} triangles and {} vertices in objects, of {} and {}",
+                                       objects.of_triangle.size(), objects.of_vertex.size(),
+                                       mesh.n_triangles(), mesh.n_vertices()));
+    const auto require_number = [&](Index object, Index least) {
+        if (object < least || object >= std::ssize(objects.names))
+            throw InvalidInput(
+                fmt::format("a triangle or vertex is in object {}, which does not exist", object));
+    };
+    for (const Index object : objects.of_triangle) require_number(object, 0);
+    for (const Index object : objects.of_vertex) require_number(object, -1);
+}
+
 }  // namespace
 
 void require_consistent(const AttributedMesh& content) {
@@ -49,6 +65,7 @@ void require_consistent(const AttributedMesh& content) {
         require_rows(morph.displacements.rows(), n, fmt::format("the morph target '{}'", morph.name));
     for (const VertexValues& column : content.values)
         require_rows(column.values.rows(), n, fmt::format("the array of values '{}'", column.name));
+    require_objects(content.objects, content.mesh);
     if (!content.parts.empty() && static_cast<Index>(content.parts.size()) != n_triangles)
         throw InvalidInput(
             fmt::format("there are {} part labels for {} triangles", content.parts.size(), n_triangles));

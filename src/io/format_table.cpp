@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/format_table.hpp"
 
+#include "io/chosen_object.hpp"
 #include "io/formats.hpp"
 
 #include <counterpart/io/gltf.hpp>
@@ -30,8 +31,27 @@ void to_bytes(Content content, const Path& file) {
     write_file(bytes(content), file);
 }
 
-MeshFile read_stl_mesh(const Path& file, const ReadOptions& options) {
-    return read_stl(read_whole_file(file), file.string(), options.strict);
+AttributedMeshFile with_attributes(MeshFile plain) {
+    AttributedMeshFile result{{}, std::move(plain.notices)};
+    result.content.mesh = std::move(plain.mesh);
+    return result;
+}
+
+template <auto read>
+AttributedMeshFile mesh_from_bytes(const Path& file, const ReadOptions& options) {
+    return with_attributes(from_bytes<read>(file, options));
+}
+
+// Of formats that know objects: the whole file, or one of them.
+template <auto read>
+AttributedMeshFile object_from_bytes(const Path& file, const ReadOptions& options) {
+    AttributedMeshFile result = from_bytes<read>(file, options);
+    if (options.object) take_object(result, *options.object);
+    return result;
+}
+
+AttributedMeshFile read_stl_mesh(const Path& file, const ReadOptions& options) {
+    return read_stl(read_whole_file(file), file.string(), options);
 }
 
 // A mesh through a writer of content.
@@ -41,11 +61,6 @@ void mesh_to_bytes(MeshView mesh, const Path& file) {
     content.mesh = mesh.copy();
     if (mesh.polygons != nullptr) content.mesh.polygons = *mesh.polygons;
     write_file(bytes(content), file);
-}
-
-MeshFile read_gltf_mesh(const Path& file, const ReadOptions& options) {
-    GltfFile gltf = read_gltf(file, options);
-    return {std::move(gltf.content.mesh), std::move(gltf.notices)};
 }
 
 AttributedMeshFile read_gltf_content(const Path& file, const ReadOptions& options) {
@@ -62,28 +77,29 @@ void write_gltf_mesh(MeshView mesh, const Path& file) {
 void write_gltf_content(const AttributedMesh& content, const Path& file) { write_gltf(content, file); }
 
 constexpr auto table = std::to_array<MeshFormat>({
-    {.extension = ".off", .read = from_bytes<read_off>, .write = to_bytes<MeshView, off_bytes>},
+    {.extension = ".off", .read = mesh_from_bytes<read_off>, .write = to_bytes<MeshView, off_bytes>},
     {.extension = ".obj",
-     .read = from_bytes<read_obj>,
-     .read_attributed = from_bytes<read_attributed_obj>,
+     .read = object_from_bytes<read_obj>,
+     .read_attributed = object_from_bytes<read_attributed_obj>,
      .write = to_bytes<MeshView, obj_bytes>,
-     .write_attributed = to_bytes<const AttributedMesh&, obj_bytes>},
+     .write_attributed = to_bytes<const AttributedMesh&, obj_bytes>,
+     .has_objects = true},
     {.extension = ".ply",
-     .read = from_bytes<read_ply>,
+     .read = mesh_from_bytes<read_ply>,
      .read_attributed = from_bytes<read_attributed_ply>,
      .write = to_bytes<MeshView, ply_bytes>,
      .write_attributed = to_bytes<const AttributedMesh&, ply_bytes>},
-    {.extension = ".stl", .read = read_stl_mesh, .write = to_bytes<MeshView, stl_bytes>},
+    {.extension = ".stl", .read = read_stl_mesh, .write = to_bytes<MeshView, stl_bytes>, .has_objects = true},
     {.extension = ".glb",
-     .read = read_gltf_mesh,
-     .read_attributed = read_gltf_content,
+     .read = read_gltf_content,
      .write = write_gltf_mesh,
-     .write_attributed = write_gltf_content},
+     .write_attributed = write_gltf_content,
+     .has_objects = true},
     {.extension = ".gltf",
-     .read = read_gltf_mesh,
-     .read_attributed = read_gltf_content,
+     .read = read_gltf_content,
      .write = write_gltf_mesh,
-     .write_attributed = write_gltf_content},
+     .write_attributed = write_gltf_content,
+     .has_objects = true},
     // Gmsh, Medit, legacy VTK
     {.extension = ".msh",
      .read_cells = cells_from_bytes<read_gmsh>,

@@ -21,7 +21,8 @@ namespace counterpart::io {
 /// InvalidInput without the file's name.
 struct MeshFormat {
     std::string_view extension;  ///< in lower case, with its dot
-    MeshFile (*read)(const std::filesystem::path& file, const ReadOptions& options) = nullptr;
+    /// The mesh and its objects, without attributes.
+    AttributedMeshFile (*read)(const std::filesystem::path& file, const ReadOptions& options) = nullptr;
     /// Null where there are no attributes.
     AttributedMeshFile (*read_attributed)(const std::filesystem::path& file,
                                           const ReadOptions& options) = nullptr;
@@ -30,6 +31,7 @@ struct MeshFormat {
     /// Null where there are no attributes.
     void (*write_attributed)(const AttributedMesh& content, const std::filesystem::path& file) = nullptr;
     void (*write_solid)(const TetrahedralMesh& mesh, const std::filesystem::path& file) = nullptr;
+    bool has_objects = false;  ///< then its readers choose the object of the options
 };
 
 std::span<const MeshFormat> mesh_formats();

@@ -19,10 +19,12 @@
 namespace counterpart::io {
 
 MeshFile read_off(std::string_view bytes, const std::string& name);
-MeshFile read_obj(std::string_view bytes, const std::string& name);
 MeshFile read_ply(std::string_view bytes, const std::string& name);
-/// `strict`: coordinates that are no finite numbers are refused, else their triangles are left out.
-MeshFile read_stl(std::string_view bytes, const std::string& name, bool strict = false);
+
+/// Those that know objects, without attributes. Of STL, `options` choose one of them, whose corners alone are
+/// joined, and tell whether coordinates that are no finite numbers are refused or left out.
+AttributedMeshFile read_obj(std::string_view bytes, const std::string& name);
+AttributedMeshFile read_stl(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
 
 /// Those that know attributes.
 AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string& name);

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/chosen_object.hpp"
+#include "io/gltf_objects.hpp"
 #include "io/gltf_primitives.hpp"
+#include "io/object_sections.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -116,8 +119,13 @@ void join_geometry(const GltfDocument& document, const std::vector<GltfPrimitive
     Eigen::Index joints = 0;
     std::size_t n_morphs = 0;
     const GltfPrimitive* morphed = nullptr;
+    const GltfPrimitive* previous = nullptr;
+    ObjectSections objects;
     for (const GltfPrimitive& primitive : primitives) {
         const std::size_t start = file.vertex_from_file.size();
+        if (previous == nullptr || previous->mesh != primitive.mesh)
+            objects.begin(object_name(document, primitive), std::ssize(kept), std::ssize(corners) / 3);
+        previous = &primitive;
         for (Eigen::Index v = 0; v < primitive.positions.rows(); ++v) {
             const auto [place, is_new] =
                 known.emplace(weld_key(primitive, v), static_cast<Index>(kept.size()));
@@ -142,6 +150,8 @@ void join_geometry(const GltfDocument& document, const std::vector<GltfPrimitive
     content.mesh.vertices.resize(n, 3);
     content.mesh.triangles =
         Eigen::Map<const Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+    content.objects =
+        objects.objects(static_cast<Index>(n), content.mesh.n_triangles(), ObjectSections::SameName::several);
     content.skin.joints.setZero(n, joints);
     content.skin.weights.setZero(n, joints);
     if (morphed != nullptr) {
@@ -159,6 +169,20 @@ void join_geometry(const GltfDocument& document, const std::vector<GltfPrimitive
         for (std::size_t i = 0; i < primitive->displacements.size(); ++i)
             content.morphs[i].displacements.row(v) = primitive->displacements[i].row(row);
     }
+}
+
+// Read again, from a document that shows nothing else.
+GltfFile surface_of_object(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives,
+                           const AttributedMesh& whole, const std::string& wanted) {
+    const MeshObjects& objects = whole.objects;
+    const Index object = chosen_object(objects.names, wanted);
+    const auto triangle =
+        static_cast<std::size_t>(std::find(objects.of_triangle.begin(), objects.of_triangle.end(), object) -
+                                 objects.of_triangle.begin());
+    const std::size_t mesh = primitives[static_cast<std::size_t>(whole.parts[triangle])].mesh;
+    GltfFile file = surface_of(std::make_shared<const GltfContent>(with_only_mesh(document, mesh)));
+    file.notices.push_back(object_notice(objects.names, object, file.content.mesh));
+    return file;
 }
 
 }  // namespace
@@ -182,12 +206,15 @@ GltfFile io::join_primitives(const GltfDocument& document, const std::vector<Glt
     return file;
 }
 
-GltfFile io::surface_of(std::shared_ptr<const GltfContent> document) {
+GltfFile io::surface_of(std::shared_ptr<const GltfContent> document,
+                        const std::optional<std::string>& object) {
     const GltfDocument& gltf = document->gltf();
     try {
         std::vector<std::string> notices;
         const std::vector<GltfPrimitive> primitives = read_primitives(gltf, notices);
         GltfFile file = join_primitives(gltf, primitives);
+        if (object && !file.content.objects.names.empty())
+            return surface_of_object(gltf, primitives, file.content, *object);
         file.notices.insert(file.notices.begin(), notices.begin(), notices.end());
         require_valid(file.content.mesh);
         file.content.document = document;
@@ -200,7 +227,7 @@ GltfFile io::surface_of(std::shared_ptr<const GltfContent> document) {
 }
 
 GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options) {
-    return surface_of(std::make_shared<const GltfContent>(load_gltf(file, options)));
+    return surface_of(std::make_shared<const GltfContent>(load_gltf(file, options)), options.object);
 }
 
 }  // namespace counterpart

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 namespace counterpart::io {
 namespace {
@@ -32,13 +31,19 @@ void forget_morph_weights(GltfDocument& document, std::size_t mesh) {
     json["meshes"][mesh].erase("weights");
     const std::vector<std::int64_t> nodes = nodes_of(document, mesh);
     for (const std::int64_t node : nodes) json["nodes"][static_cast<std::size_t>(node)].erase("weights");
+    forget_weight_channels(document, nodes);
+}
+
+void forget_weight_channels(GltfDocument& document, const std::vector<std::int64_t>& nodes) {
+    GltfJson& json = document.json;
     for (std::size_t i = 0; i < document.count("animations"); ++i) {
         GltfJson& channels = json["animations"][i]["channels"];
         GltfJson kept = GltfJson::array();
         for (const GltfJson& channel : channels) {
             const GltfJson& target = channel.at("target");
             const std::int64_t node = number_at(document, target, "node", -1);
-            if (target.value("path", "") != "weights" || std::count(nodes.begin(), nodes.end(), node) == 0)
+            if (target.value("path", "") != "weights" ||
+                !std::binary_search(nodes.begin(), nodes.end(), node))
                 kept.push_back(channel);
         }
         channels = std::move(kept);

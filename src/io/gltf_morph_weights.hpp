@@ -4,11 +4,17 @@
 
 #include "io/gltf_document.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace counterpart::io {
 
 /// Removes the weights of a mesh's blend shapes and the animation of them: those of another set of blend
 /// shapes say nothing any more.
 void forget_morph_weights(GltfDocument& document, std::size_t mesh);
+
+/// Removes the animation of the blend shapes that these nodes show, given in increasing order.
+void forget_weight_channels(GltfDocument& document, const std::vector<std::int64_t>& nodes);
 
 /// Adds an animation that shows each mesh as it is, then its blend shapes one after the other, in place of
 /// any that moves their weights. Nothing if there are no blend shapes. `frames_per_second` is above 0.

@@ -12,6 +12,7 @@ namespace {
 struct Placement {
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
     bool used = false;
+    std::int64_t node = -1;  // that uses it first
 };
 
 Eigen::Affine3d local_transform(const GltfDocument& document, const GltfJson& node) {
@@ -66,6 +67,7 @@ std::vector<Placement> place_meshes(const GltfDocument& document, std::vector<st
             Placement& placement = placements[static_cast<std::size_t>(mesh)];
             repeated += placement.used;
             if (!placement.used && !node.contains("skin")) placement.transform = transform;
+            if (!placement.used) placement.node = visit.node;
             placement.used = true;
         }
         if (!node.contains("children")) continue;
@@ -211,6 +213,7 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
             GltfPrimitive primitive = read_primitive(document, json, mode, what, budget);
             primitive.mesh = m;
             primitive.number = number - 1;
+            primitive.node = placements[m].node;
             primitive.placement = placements[m].transform;
             put_in_place(primitive);
             primitives.push_back(std::move(primitive));

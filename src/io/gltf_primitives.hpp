@@ -8,6 +8,7 @@
 
 #include <counterpart/io/gltf.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace counterpart::io {
 /// One primitive as stored, in the scene's space: its own vertices, before welding. Absent parts are empty.
 struct GltfPrimitive {
     std::size_t mesh = 0, number = 0;                         ///< meshes[mesh].primitives[number]
+    std::int64_t node = -1;                                   ///< that places the mesh; -1: none does
     Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< from the mesh's space into the scene's
     Points positions;
     Triangles triangles;
@@ -38,7 +40,9 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
 /// The primitives as one surface. `content.document` stays empty.
 GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPrimitive>& primitives);
 
-/// What a document shows, with the document itself. Throws IoError.
-GltfFile surface_of(std::shared_ptr<const GltfContent> document);
+/// What a document shows, with the document itself; of an object, one that shows nothing else. Throws
+/// IoError.
+GltfFile surface_of(std::shared_ptr<const GltfContent> document,
+                    const std::optional<std::string>& object = {});
 
 }  // namespace counterpart::io

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/left_out.hpp"
 
+#include "io/kept_triangles.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -23,29 +25,6 @@ std::vector<char> kept_triangles(const TriangleMesh& mesh) {
         if (std::find(begin, end, 0) != end) std::fill(begin, end, char{0});
     }
     return kept;
-}
-
-Triangles rows_of(const Triangles& all, const std::vector<Index>& rows) {
-    return all.rows() == 0 ? all : Triangles(all(rows, Eigen::all));
-}
-
-Polygons polygons_of(const Polygons& all, const std::vector<char>& kept,
-                     const std::vector<Index>& triangles) {
-    Polygons result;
-    if (all.empty()) return result;
-    result.first.push_back(0);
-    result.corners = rows_of(all.corners, triangles);
-    Index triangle = 0;  // of those that stay
-    for (Index p = 0; p < all.count(); ++p) {
-        if (kept[static_cast<std::size_t>(all.first_triangle(p))] == 0) continue;
-        const Index moved = all.first[static_cast<std::size_t>(p)] - result.first.back();
-        const Index count = all.size(p) - 2;
-        result.corners.middleRows(triangle, count).array() -= moved;
-        triangle += count;
-        result.first.push_back(result.first.back() + all.size(p));
-    }
-    if (result.count() == result.corners.rows()) return {};  // only triangles are left
-    return result;
 }
 
 }  // namespace
@@ -77,22 +56,9 @@ std::vector<Index> place_left_out(Points& points) {
 Index remove_faces_of_left_out(AttributedMesh& content) {
     TriangleMesh& mesh = content.mesh;
     if (mesh.left_out.empty()) return 0;
-    const std::vector<char> kept = kept_triangles(mesh);
-    std::vector<Index> triangles;
-    for (Index t = 0; t < mesh.n_triangles(); ++t)
-        if (kept[static_cast<std::size_t>(t)] != 0) triangles.push_back(t);
-    const Index n_removed = mesh.n_triangles() - static_cast<Index>(triangles.size());
-    if (n_removed == 0) return 0;
-    mesh.polygons = polygons_of(mesh.polygons, kept, triangles);
-    mesh.triangles = rows_of(mesh.triangles, triangles);
-    content.normals.corners = rows_of(content.normals.corners, triangles);
-    for (CornerAttribute& set : content.texture_coordinates) set.corners = rows_of(set.corners, triangles);
-    for (CornerAttribute& set : content.colors) set.corners = rows_of(set.corners, triangles);
-    if (content.parts.empty()) return n_removed;
-    std::vector<Index> parts;
-    for (const Index t : triangles) parts.push_back(content.parts[static_cast<std::size_t>(t)]);
-    content.parts = std::move(parts);
-    return n_removed;
+    const Index n_before = mesh.n_triangles();
+    keep_triangles(content, kept_triangles(mesh));
+    return n_before - mesh.n_triangles();
 }
 
 }  // namespace counterpart::io

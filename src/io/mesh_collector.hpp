@@ -32,6 +32,9 @@ class MeshCollector {
     }
 
     std::int64_t n_vertices() const { return static_cast<std::int64_t>(coordinates_.size() / 3); }
+    std::int64_t n_triangles() const {
+        return static_cast<std::int64_t>(corners_.size()) - 2 * static_cast<std::int64_t>(sizes_.size());
+    }
     /// The mesh, with a notice if polygons were cut; vertices that are no numbers are in left_out, their
     /// faces still there. Throws InvalidInput if there are more than max_count triangles.
     MeshFile finish();

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "io/chosen_object.hpp"
 #include "io/corner_rows.hpp"
 #include "io/format_table.hpp"
 #include "io/left_out.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/io/mesh_objects.hpp>
 
 #include <fmt/format.h>
 
@@ -58,16 +60,24 @@ void leave_out(AttributedMesh& content, std::vector<std::string>& notices, const
                     left_out[0], left_out.size() == 1 ? "it" : "them"));
 }
 
-AttributedMeshFile with_attributes(MeshFile plain) {
-    AttributedMeshFile result{{}, std::move(plain.notices)};
-    result.content.mesh = std::move(plain.mesh);
-    return result;
-}
+enum class Attributes { none, all };
 
-AttributedMeshFile read_plain(const MeshFormat& format, const std::filesystem::path& file,
-                              const ReadOptions& options) {
-    if (format.read != nullptr) return with_attributes(format.read(file, options));
-    return content_of_cells(format.read_cells(file), file.string());
+// What a file holds, with no attributes but those that come along with its cells, or with all.
+AttributedMeshFile read_content(const std::filesystem::path& file, const ReadOptions& options,
+                                Attributes attributes) {
+    const MeshFormat* const format = find_mesh_format(file);
+    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
+    return naming(file, "", [&] {
+        if (options.object && !format->has_objects) require_single_object(*options.object);
+        AttributedMeshFile result = attributes == Attributes::all && format->read_attributed != nullptr
+                                        ? format->read_attributed(file, options)
+                                    : format->read != nullptr
+                                        ? format->read(file, options)
+                                        : content_of_cells(format->read_cells(file), file.string());
+        leave_out(result.content, result.notices, options);
+        require_valid(result.content.mesh);
+        return result;
+    });
 }
 
 constexpr const char* not_written = "not written: ";
@@ -83,27 +93,18 @@ MeshExtensions mesh_extensions() {
 }
 
 MeshFile read_mesh(const std::filesystem::path& file, const ReadOptions& options) {
-    const MeshFormat* const format = find_mesh_format(file);
-    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
-    return naming(file, "", [&] {
-        AttributedMeshFile read = read_plain(*format, file, options);
-        leave_out(read.content, read.notices, options);
-        require_valid(read.content.mesh);
-        return MeshFile{std::move(read.content.mesh), std::move(read.notices)};
-    });
+    AttributedMeshFile read = read_content(file, options, Attributes::none);
+    return {std::move(read.content.mesh), std::move(read.notices)};
 }
 
 AttributedMeshFile read_attributed_mesh(const std::filesystem::path& file, const ReadOptions& options) {
-    const MeshFormat* const format = find_mesh_format(file);
-    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
-    return naming(file, "", [&] {
-        AttributedMeshFile result = format->read_attributed != nullptr
-                                        ? format->read_attributed(file, options)
-                                        : read_plain(*format, file, options);
-        leave_out(result.content, result.notices, options);
-        require_valid(result.content.mesh);
-        return result;
-    });
+    return read_content(file, options, Attributes::all);
+}
+
+std::vector<MeshObject> mesh_objects(const std::filesystem::path& file, const ReadOptions& options) {
+    ReadOptions whole = options;
+    whole.object.reset();
+    return mesh_objects(read_content(file, whole, Attributes::none).content);
 }
 
 std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::path& file) {

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Wavefront OBJ: the lines `v` and `f`; all other lines (texture, normals, groups, materials, curves) are
-// passed over.
+// Wavefront OBJ: the lines `v` and `f`, and the objects `o` or groups `g` that they are in; all other lines
+// (texture, normals, materials, curves) are passed over.
 #include "io/decimal.hpp"
 #include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/mesh_collector.hpp"
+#include "io/object_sections.hpp"
 #include "io/text_cursor.hpp"
 
 #include <fmt/format.h>
@@ -37,9 +38,10 @@ Index read_corner(TextCursor& text, std::int64_t n_vertices_so_far, LargestRefer
 
 }  // namespace
 
-MeshFile read_obj(std::string_view bytes, const std::string& name) {
+AttributedMeshFile read_obj(std::string_view bytes, const std::string& name) {
     TextCursor text(bytes, name);
     MeshCollector mesh;
+    ObjectSections objects, groups;
     LargestReference largest;
     std::vector<Index> corners;
     for (; text.next_content(); text.next_statement()) {
@@ -53,13 +55,22 @@ MeshFile read_obj(std::string_view bytes, const std::string& name) {
             if (corners.size() < 3)
                 text.fail(fmt::format("a face needs at least 3 corners, this one has {}", corners.size()));
             mesh.add_face(corners);
+        } else if (key_word == "o" || key_word == "g") {
+            (key_word == "o" ? objects : groups).begin(text.rest(), mesh.n_vertices(), mesh.n_triangles());
         }
     }
     if (largest.vertex > mesh.n_vertices()) {
         text.fail_at(largest.line, fmt::format("the face names vertex {}, but the file has only {} vertices",
                                                largest.vertex, mesh.n_vertices()));
     }
-    return mesh.finish();
+    MeshFile plain = mesh.finish();
+    AttributedMeshFile result{{}, std::move(plain.notices)};
+    const Index n_vertices = plain.mesh.n_vertices(), n_triangles = plain.mesh.n_triangles();
+    result.content.mesh = std::move(plain.mesh);
+    using Same = ObjectSections::SameName;  // an element of a group may follow those of another
+    result.content.objects = objects.empty() ? groups.objects(n_vertices, n_triangles, Same::one)
+                                             : objects.objects(n_vertices, n_triangles, Same::several);
+    return result;
 }
 
 std::string obj_bytes(MeshView mesh) {

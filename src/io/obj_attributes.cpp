@@ -3,9 +3,6 @@
 //
 // What Wavefront OBJ holds beside the triangles: `vt`, `vn`, colors behind the coordinates of `v`, the
 // names of `usemtl`. It counts the second texture coordinate from the image's lower edge.
-#include "io/corner_rows.hpp"
-#include "io/decimal.hpp"
-#include "io/faces.hpp"
 #include "io/formats.hpp"
 #include "io/text_cursor.hpp"
 
@@ -14,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <initializer_list>
 #include <limits>
 #include <unordered_map>
 
@@ -118,46 +114,12 @@ CornerAttribute attribute_of(const ObjAttributes& found, const TriangleMesh& mes
     return any ? attribute : CornerAttribute();
 }
 
-void append_row(std::string& text, const char* key_word, std::initializer_list<double> numbers) {
-    text += key_word;
-    for (const double number : numbers) {
-        text += ' ';
-        append_decimal(text, number);
-    }
-    text += '\n';
-}
-
-void append_vertices(std::string& text, const AttributedMesh& content) {
-    const std::optional<Matrix> colors =
-        content.colors.empty() ? std::nullopt : one_row_per_vertex(content.colors[0], content.mesh);
-    for (Index v = 0; v < content.mesh.n_vertices(); ++v) {
-        const auto p = content.mesh.vertices.row(v);
-        if (colors)
-            append_row(text, "v", {p[0], p[1], p[2], (*colors)(v, 0), (*colors)(v, 1), (*colors)(v, 2)});
-        else
-            append_row(text, "v", {p[0], p[1], p[2]});
-    }
-}
-
-// The name as it can stand in a line: glTF allows any characters.
-void append_material(std::string& text, std::string name) {
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const bool is_comment = name[i] == '#' && i > 0 && name[i - 1] == ' ';
-        if (static_cast<unsigned char>(name[i]) < ' ' || is_comment) name[i] = '_';
-    }
-    text += "usemtl " + name;
-    if (name.back() == '\\') text += ' ';  // or the next line would continue this one
-    text += '\n';
-}
-
 }  // namespace
 
 AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string& name) {
-    MeshFile plain = read_obj(bytes, name);  // refuses what is wrong with the triangles
+    AttributedMeshFile result = read_obj(bytes, name);  // refuses what is wrong with the triangles
     ObjAttributes found = scan(bytes, name);
-    AttributedMeshFile result{{}, std::move(plain.notices)};
     AttributedMesh& content = result.content;
-    content.mesh = std::move(plain.mesh);
     if (CornerAttribute uv =
             attribute_of(found, content.mesh, 1, found.texture_coordinates, 2, result.notices);
         uv.values.rows() > 0)
@@ -172,42 +134,6 @@ AttributedMeshFile read_attributed_obj(std::string_view bytes, const std::string
         content.part_names = std::move(found.part_names);
     }
     return result;
-}
-
-std::string obj_bytes(const AttributedMesh& content) {
-    std::string text;
-    append_vertices(text, content);
-    const CornerAttribute none;
-    const CornerAttribute& uv = content.texture_coordinates.empty() ? none : content.texture_coordinates[0];
-    for (Eigen::Index i = 0; i < uv.values.rows(); ++i)
-        append_row(text, "vt", {uv.values(i, 0), 1 - uv.values(i, 1)});
-    for (Eigen::Index i = 0; i < content.normals.values.rows(); ++i)
-        append_row(
-            text, "vn",
-            {content.normals.values(i, 0), content.normals.values(i, 1), content.normals.values(i, 2)});
-    const auto row_of = [](const CornerAttribute& attribute, Index t, int c) {
-        return attribute.values.rows() > 0 ? attribute.corners(t, c) : -1;
-    };
-    Index part = -1;
-    for_each_face(content.mesh, [&](Index t, std::span<const Index> corners) {
-        const auto next = static_cast<std::size_t>(t) < content.parts.size()
-                              ? content.parts[static_cast<std::size_t>(t)]
-                              : -1;
-        if (next != part && next >= 0 && static_cast<std::size_t>(next) < content.part_names.size() &&
-            !content.part_names[static_cast<std::size_t>(next)].empty())
-            append_material(text, content.part_names[static_cast<std::size_t>(next)]);
-        part = next;
-        text += 'f';
-        for (const Index corner : corners) {
-            const Index uv_row = row_of(uv, corner / 3, corner % 3),
-                        normal = row_of(content.normals, corner / 3, corner % 3);
-            text += fmt::format(" {}", content.mesh.triangles(corner / 3, corner % 3) + 1);
-            if (uv_row >= 0) text += fmt::format("/{}", uv_row + 1);
-            if (normal >= 0) text += fmt::format("{}/{}", uv_row >= 0 ? "" : "/", normal + 1);
-        }
-        text += '\n';
-    });
-    return text;
 }
 
 }  // namespace counterpart::io

@@ -107,7 +107,7 @@ void leave_out_missing(ObjText& obj) {
 
 ObjText parse(std::string_view text) {
     ObjText obj;
-    obj.polygons = io::read_obj(text, "reorder_obj").mesh.polygons;
+    obj.polygons = io::read_obj(text, "reorder_obj").content.mesh.polygons;
     while (!text.empty()) {
         const std::string_view line = take_line(text).content;
         std::string_view rest = line;

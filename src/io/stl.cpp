@@ -4,9 +4,12 @@
 // STL, text and binary. It stores three corners per triangle and no connectivity, so corners at one position
 // become one vertex.
 #include "io/byte_order.hpp"
+#include "io/chosen_object.hpp"
 #include "io/formats.hpp"
 #include "io/left_out.hpp"
 #include "io/mesh_collector.hpp"
+#include "io/object_sections.hpp"
+#include "io/only_object.hpp"
 #include "io/text_cursor.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -64,7 +67,7 @@ MeshCollector read_binary(std::string_view bytes, const std::string& name) {
     return mesh;
 }
 
-MeshCollector read_text(std::string_view bytes, const std::string& name) {
+MeshCollector read_text(std::string_view bytes, const std::string& name, ObjectSections& solids) {
     TextCursor text(bytes, name);
     MeshCollector mesh;
     int n_corners = 0;
@@ -80,12 +83,29 @@ MeshCollector read_text(std::string_view bytes, const std::string& name) {
             n_corners = 0;
         } else if (word == "solid" || word == "endsolid") {
             in_solid = word == "solid";
+            if (in_solid) solids.begin(text.rest(), mesh.n_vertices(), mesh.n_vertices() / 3);
         } else if (word != "facet" && word != "outer" && word != "endfacet") {
             text.fail("not a line of a text STL");
         }
     }
     if (in_solid || n_corners != 0) text.fail("the file ends within a solid: 'endsolid' is missing");
     return mesh;
+}
+
+// Three corners for each triangle, one after another, and the solids that they are in.
+AttributedMesh read_facets(std::string_view bytes, const std::string& name) {
+    ObjectSections solids;
+    MeshCollector collector = is_binary(bytes) ? read_binary(bytes, name) : read_text(bytes, name, solids);
+    const std::int64_t n_corners = collector.n_vertices();
+    if (n_corners > max_count) throw InvalidInput("the mesh has too many triangles");
+    AttributedMesh facets;
+    TriangleMesh& corners = facets.mesh;
+    corners = collector.finish().mesh;
+    corners.triangles.resize(static_cast<Eigen::Index>(n_corners / 3), 3);
+    for (Index t = 0; t < corners.n_triangles(); ++t) corners.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
+    facets.objects = solids.objects(static_cast<Index>(n_corners), corners.n_triangles(),
+                                    ObjectSections::SameName::several);
+    return facets;
 }
 
 // The corners of the triangles that are left, one after another.
@@ -101,27 +121,28 @@ TriangleMesh without_unused(const TriangleMesh& corners) {
 
 }  // namespace
 
-MeshFile read_stl(std::string_view bytes, const std::string& name, bool strict) {
-    MeshCollector collector = is_binary(bytes) ? read_binary(bytes, name) : read_text(bytes, name);
-    const std::int64_t n_corners = collector.n_vertices();
-    if (n_corners > max_count) throw InvalidInput("the mesh has too many triangles");
-    AttributedMesh facets;
-    TriangleMesh& corners = facets.mesh;
-    corners = collector.finish().mesh;
-    corners.triangles.resize(static_cast<Eigen::Index>(n_corners / 3), 3);
-    for (Index t = 0; t < corners.n_triangles(); ++t) corners.triangles.row(t) << 3 * t, 3 * t + 1, 3 * t + 2;
-    if (strict && !corners.left_out.empty())
+AttributedMeshFile read_stl(std::string_view bytes, const std::string& name, const ReadOptions& options) {
+    AttributedMesh facets = read_facets(bytes, name);
+    const std::vector<std::string> names =
+        facets.objects.names.empty() ? std::vector<std::string>(1) : facets.objects.names;
+    const Index object = options.object ? chosen_object(names, *options.object) : -1;
+    if (object >= 0 && !facets.objects.names.empty()) facets = only_object(std::move(facets), object);
+    if (options.strict && !facets.mesh.left_out.empty())
         throw IoError(fmt::format("{}: triangle {} has a coordinate that is no finite number", name,
-                                  corners.left_out[0] / 3));
+                                  facets.mesh.left_out[0] / 3));
     const Index n_removed = remove_faces_of_left_out(facets);
-    MeshFile result;
-    result.mesh = weld(without_unused(corners)).mesh;
+    const Index n_corners = 3 * facets.mesh.n_triangles();
+    AttributedMeshFile result;
+    result.content.mesh = weld(without_unused(facets.mesh)).mesh;
+    result.content.objects = std::move(facets.objects);
+    result.content.objects.of_vertex.clear();  // triangles name all
     result.notices.push_back(
-        fmt::format("STL has no connectivity: {} corners joined by position into {} vertices",
-                    3 * corners.n_triangles(), result.mesh.n_vertices()));
+        fmt::format("STL has no connectivity: {} corners joined by position into {} vertices", n_corners,
+                    result.content.mesh.n_vertices()));
     if (n_removed > 0)
         result.notices.push_back(
             fmt::format("{} triangles whose coordinates are no numbers are left out", n_removed));
+    if (object >= 0) result.notices.push_back(object_notice(names, object, result.content.mesh));
     return result;
 }
 

@@ -40,6 +40,7 @@ AttributedMesh reorder(const AttributedMesh& source, const AttributedMesh& targe
     require_corners(target_corner_from_source, source.mesh, target.mesh);
     AttributedMesh result = has_attributes(target) ? target : source;
     result.mesh = std::move(mesh);
+    result.objects = source.objects;
     if (!has_attributes(target)) {
         result.normals = {};
         return result;

@@ -5,6 +5,7 @@
 #include "fuzz/require.hpp"
 #include "fuzz/targets.hpp"
 #include "io/cells.hpp"
+#include "io/chosen_object.hpp"
 #include "io/corner_rows.hpp"
 #include "io/formats.hpp"
 #include "io/gltf_primitives.hpp"
@@ -17,11 +18,14 @@
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/io/mesh_objects.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace counterpart::fuzz {
@@ -65,15 +69,32 @@ void require_same_reordered(std::string_view bytes, const TriangleMesh& plain) {
     Triangles corners(plain.n_triangles(), 3);
     std::iota(corners.data(), corners.data() + corners.size(), 0);
     const std::string again = reorder_obj(bytes, bytes, {all, plain.n_vertices()}, plain.triangles, corners);
-    require(same(plain, read_obj(again, name).mesh));
+    require(same(plain, read_obj(again, name).content.mesh));
+}
+
+// Each of the first objects is valid, as large as it is listed, and the only one when it is written again.
+void require_objects(const AttributedMeshFile& whole) {
+    const std::vector<MeshObject> objects = mesh_objects(whole.content);
+    for (std::size_t k = 0; k < std::min<std::size_t>(objects.size(), 3); ++k) {
+        AttributedMeshFile one = whole;
+        take_object(one, std::to_string(k));
+        require(one.content.mesh.n_vertices() == objects[k].n_vertices &&
+                one.content.mesh.n_triangles() == objects[k].n_triangles);
+        // Else polygons may be cut in another way, since what is left out lies elsewhere.
+        if (!is_valid(one.content.mesh) || !one.content.mesh.left_out.empty()) continue;
+        require_consistent(one.content);
+        require(same(one.content.mesh, read_obj(obj_bytes(one.content), name).content.mesh));
+    }
 }
 
 void read_obj_bytes(std::string_view bytes) {
-    const TriangleMesh plain = read_obj(bytes, name).mesh;
+    const TriangleMesh plain = read_obj(bytes, name).content.mesh;
     if (!is_valid(plain)) return;
-    require(same(plain, read_obj(obj_bytes(plain), name).mesh));
-    const AttributedMesh content = read_attributed_obj(bytes, name).content;
+    require(same(plain, read_obj(obj_bytes(plain), name).content.mesh));
+    const AttributedMeshFile read = read_attributed_obj(bytes, name);
+    const AttributedMesh& content = read.content;
     require_consistent(content);
+    require_objects(read);
     require_attributed(content, plain, read_attributed_obj(obj_bytes(content), name).content);
     require_same_reordered(bytes, plain);
 }
@@ -88,8 +109,14 @@ void read_ply_bytes(std::string_view bytes) {
 }
 
 void read_stl_bytes(std::string_view bytes) {
-    const TriangleMesh mesh = read_stl(bytes, name).mesh;
-    if (is_valid(mesh)) read_stl(stl_bytes(mesh), name);
+    const AttributedMesh content = read_stl(bytes, name).content;
+    if (!is_valid(content.mesh)) return;
+    require_consistent(content);
+    read_stl(stl_bytes(content.mesh), name);
+    const std::vector<MeshObject> objects = mesh_objects(content);
+    const AttributedMesh one = read_stl(bytes, name, {.object = std::to_string(objects.size() - 1)}).content;
+    require_consistent(one);
+    require(one.mesh.n_vertices() == objects.back().n_vertices);
 }
 
 void use_cells(const Cells& cells) {
@@ -133,9 +160,9 @@ void read_ele_bytes(std::string_view bytes) {
         use_cells(parse_outlines(first, bytes.substr(end + 1), name));
 }
 
-GltfFile read_gltf_bytes(std::string_view bytes) {
+GltfFile read_gltf_bytes(std::string_view bytes, const std::optional<std::string>& object = {}) {
     // No folder of this name: what the bytes name beside themselves is never there.
-    return surface_of(std::make_shared<const GltfContent>(parse_gltf(bytes, "/absent/fuzzed.gltf")));
+    return surface_of(std::make_shared<const GltfContent>(parse_gltf(bytes, "/absent/fuzzed.gltf")), object);
 }
 
 // Written as it is, with the materials of another, with all numbers changed, or without what only glTF holds.
@@ -161,6 +188,10 @@ AttributedMesh rewritten(const AttributedMesh& content, std::size_t way) {
 void read_and_write_gltf(std::string_view bytes) {
     const AttributedMesh content = read_gltf_bytes(bytes).content;
     require_valid(content.mesh);
+    const std::vector<MeshObject> objects = mesh_objects(content);
+    const AttributedMesh one = read_gltf_bytes(bytes, std::to_string(objects.size() - 1)).content;
+    require(one.mesh.n_vertices() == objects.back().n_vertices &&
+            one.mesh.n_triangles() == objects.back().n_triangles);
     const AttributedMesh written = rewritten(content, bytes.size() % 4);
     const double frames_per_second = bytes.size() % 3 == 0 ? 24 : 0;
     const AttributedMesh again =

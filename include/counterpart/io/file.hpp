@@ -5,6 +5,7 @@
 #include <counterpart/base/errors.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,9 @@ struct ReadOptions {
     bool allow_external = false;
     /// Refuse what is else left out with a notice: vertices whose coordinates are no numbers.
     bool strict = false;
+    /// Read this object alone: the one of that name or, if none has it, of that number, as mesh_objects lists
+    /// them (io/mesh_objects.hpp). Nothing: the whole file.
+    std::optional<std::string> object{};
 };
 
 /// A file cannot be written: no such folder, no permission, a full disk, a closed pipe.

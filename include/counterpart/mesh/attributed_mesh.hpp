@@ -35,6 +35,15 @@ struct VertexValues {
     Matrix values;  ///< n_vertices x K
 };
 
+/// The objects of a file, numbered from 0: what it has under names of their own.
+struct MeshObjects {
+    std::vector<std::string> names;  ///< of each object; may be empty, and that of another too
+    std::vector<Index> of_triangle;  ///< for each triangle its object
+    /// For each vertex the object that the file has it in, -1: none. An object's vertices are those that its
+    /// triangles name, and of those that no triangle names the ones that are said here to be in it.
+    std::vector<Index> of_vertex;
+};
+
 /// What a file holds besides the mesh: materials with their textures, a skeleton, other nodes, animations. A
 /// file format that has such content derives its own kind; no other module looks inside.
 class Document {
@@ -79,6 +88,7 @@ struct AttributedMesh {
     /// What else the mesh's file holds. It is also written; code that copies skin or parts from another mesh
     /// must copy it too. Null for files that hold nothing else.
     std::shared_ptr<const Document> document;
+    MeshObjects objects{};  ///< no names: the file knows no objects
 };
 
 }  // namespace counterpart
