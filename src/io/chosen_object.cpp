@@ -73,7 +73,7 @@ void take_object(AttributedMeshFile& file, const std::string& wanted) {
     const std::vector<std::string> names = file.content.objects.names;
     if (names.empty()) return require_single_object(wanted);
     const Index object = chosen_object(names, wanted);
-    file.content = only_object(std::move(file.content), object);
+    if (names.size() > 1) file.content = only_object(std::move(file.content), object);
     file.notices.push_back(object_notice(names, object, file.content.mesh));
 }
 

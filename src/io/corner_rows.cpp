@@ -31,7 +31,7 @@ void require_rows(Eigen::Index rows, Index n_vertices, const std::string& what) 
 }
 
 void require_objects(const MeshObjects& objects, MeshView mesh) {
-    if (objects.names.empty()) return;
+    if (objects.names.size() < 2) return;  // all is in the one
     if (std::ssize(objects.of_triangle) != mesh.n_triangles() ||
         (!objects.of_vertex.empty() && std::ssize(objects.of_vertex) != mesh.n_vertices()))
         throw InvalidInput(fmt::format("there are {} triangles and {} vertices in objects, of {} and {}",

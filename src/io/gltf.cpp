@@ -213,10 +213,12 @@ GltfFile io::surface_of(std::shared_ptr<const GltfContent> document,
         std::vector<std::string> notices;
         const std::vector<GltfPrimitive> primitives = read_primitives(gltf, notices);
         GltfFile file = join_primitives(gltf, primitives);
-        if (object && !file.content.objects.names.empty())
-            return surface_of_object(gltf, primitives, file.content, *object);
+        const std::vector<std::string>& names = file.content.objects.names;
+        if (object && names.size() > 1) return surface_of_object(gltf, primitives, file.content, *object);
         file.notices.insert(file.notices.begin(), notices.begin(), notices.end());
         require_valid(file.content.mesh);
+        if (object)
+            file.notices.push_back(object_notice(names, chosen_object(names, *object), file.content.mesh));
         file.content.document = document;
         return file;
     } catch (const GltfJson::exception& error) {

@@ -29,7 +29,8 @@ Grouped grouped(const MeshObjects& objects) {
 std::vector<MeshObject> mesh_objects(const AttributedMesh& content) {
     const MeshObjects& objects = content.objects;
     const TriangleMesh& mesh = content.mesh;
-    if (objects.names.empty()) return {{"", mesh.n_vertices(), mesh.n_triangles()}};
+    if (objects.names.size() < 2)
+        return {{objects.names.empty() ? "" : objects.names[0], mesh.n_vertices(), mesh.n_triangles()}};
     std::vector<MeshObject> list;
     std::vector<Index> last_object(static_cast<std::size_t>(mesh.n_vertices()), -1);  // that names the vertex
     const Grouped groups = grouped(objects);

@@ -6,7 +6,7 @@
 
 namespace counterpart::io {
 
-/// One of the content's objects, as if the file held no other: its triangles and vertices in their order, and
+/// One of several objects of the content, as if the file held no other: its triangles and vertices in their order, and
 /// of attributes, polygons and parts what they use. The content has no document. O(V + F).
 AttributedMesh only_object(AttributedMesh content, Index object);
 

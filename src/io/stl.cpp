@@ -126,7 +126,7 @@ AttributedMeshFile read_stl(std::string_view bytes, const std::string& name, con
     const std::vector<std::string> names =
         facets.objects.names.empty() ? std::vector<std::string>(1) : facets.objects.names;
     const Index object = options.object ? chosen_object(names, *options.object) : -1;
-    if (object >= 0 && !facets.objects.names.empty()) facets = only_object(std::move(facets), object);
+    if (object >= 0 && names.size() > 1) facets = only_object(std::move(facets), object);
     if (options.strict && !facets.mesh.left_out.empty())
         throw IoError(fmt::format("{}: triangle {} has a coordinate that is no finite number", name,
                                   facets.mesh.left_out[0] / 3));

@@ -54,9 +54,10 @@ import json
 report = json.load(open("match.json"))
 assert (report["source_object"], report["target_object"]) == ("the body", "Körper"), report
 END
-# Two of one file; messages tell them apart.
+# Two of one file, which are told apart.
 run match twins.obj twins.obj --source-object 3 --target-object 11 -o twins.txt
-says "twins.obj, object '11'"
+run inspect twins.obj twins.obj --object 3 --other-object 11
+grep -q "^second: twins.obj, object '11'$" out || fail "inspect does not say which object is the second"
 run evaluate a.obj b.obj map.txt --source-object 1 --target-object 0
 run view a.obj b.obj --map map.txt --source-object 1 --target-object 0 -o page.html
 grep -q "a (1)" page.html || fail "the page does not say which object it shows"

@@ -19,13 +19,13 @@ struct MeshObject {
 
 /// The objects of a file that have triangles, in its order, as ReadOptions::object chooses one of them: of
 /// OBJ what follows each `o` line or, where there is none, what is in each group `g`; of glTF each mesh, by
-/// the name of the node that places it; of text STL each `solid`. Other files have one, without a name. An
-/// object has the vertices that its triangles name and those in it that no triangle names, so that objects
-/// may share vertices. `options.object` is not heeded. O(size of the file). Throws IoError as
-/// read_mesh.
+/// the name of the node that places it; of text STL each `solid`. Other files have one, without a name. Of
+/// several, each has the vertices that its triangles name and those in it that no triangle names, so that
+/// objects may share vertices; the only one has all. `options.object` is not heeded. O(size of the file).
+/// Throws IoError as read_mesh.
 std::vector<MeshObject> mesh_objects(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// The same, of a mesh that was read. O(V + F).
+/// The same, of a mesh that was read, whose objects fit it. O(V + F).
 std::vector<MeshObject> mesh_objects(const AttributedMesh& content);
 
 }  // namespace counterpart
