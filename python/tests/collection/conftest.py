@@ -7,14 +7,6 @@ import pytest
 MODES = (0.35, 0.2)
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
-    """Tests of one collection run in one process, which makes it once."""
-    for item in items:
-        if "made" in getattr(item, "fixturenames", ()):
-            item.add_marker(pytest.mark.xdist_group(f"{item.fspath.basename} made"))
-
-
 def family(n, seed=0):
     """Shapes of one connectivity with two planted modes, and their scores."""
     base = cp.deform(cp.make_icosphere(2), warp=0.3, seed=2)
