@@ -13,11 +13,12 @@ from .shapes import mesh_of, prepared
 from .store import Arrays, Store, compute_once, key_of
 from .surfaces import triangle_normals
 
+STIFFNESS = 0.25  # of `fit`: at 1 the template does not follow what is smaller than its edges, and the map slides
 NEAR = 0.01  # of the diagonal, or half an edge of a coarse template: a scan's vertex this near to the fit is covered
 
 
 def registration_key(template: str, specimen: str, mirrored: bool, start: str) -> str:
-    return key_of("registrations", template, specimen, start, mirrored=mirrored)
+    return key_of("registrations", template, specimen, start, mirrored=mirrored, stiffness=STIFFNESS)
 
 
 def register(store: Store, template: str, specimen: str, mirrored: bool, start: tuple[str, str]) -> str | None:
@@ -72,7 +73,7 @@ def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays
 
 def fitted(model: Mesh, scan: Mesh, points: SurfaceMap) -> Arrays:
     """The template's mesh on the specimen, smooth, and how well it lies there."""
-    found = fit(model, scan, points, n_threads=1)
+    found = fit(model, scan, points, stiffness=STIFFNESS, n_threads=1)
     edges = np.linalg.norm(found.vertices[model.triangles] - found.vertices[model.triangles[:, [1, 2, 0]]], axis=2)
     near = max(NEAR * float(np.linalg.norm(np.ptp(scan.vertices, axis=0))), float(edges.mean()) / 2)
     return {

@@ -6,14 +6,15 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 
 from .. import InvalidInput, vertex_areas
 from .._arrays import FloatArray, IntArray
 from .choice import Network
-from .consensus import Neighbor, agree, consensus_key
+from .consensus import Neighbor, agree, agreement_key, located, located_key, refit, refit_key
 from .pairs import pair_key
 from .procrustes import Alignment, generalized_procrustes
 from .registration import register, registration_key
@@ -24,7 +25,9 @@ from .specimens import Specimen
 from .store import Store, key_of
 from .surfaces import area, diagonal
 
+Task = Callable[..., str | None]
 AT_REST = 1e-3  # of the diagonal
+AGREEMENTS = 3
 SOUND = 0.5  # corruption up to which a map takes part in the consensus
 NO_SHAPE = 0.9  # a mean that has lost more than a tenth of the area of the shapes
 
@@ -169,19 +172,33 @@ def agreed_specimens(
     found: Registered,
     progress: Progress,
 ) -> Registered:
-    """The same, each fit moved to where those of the neighbors, through the chosen maps, put it."""
-    key = dict(zip(found.members, found.keys, strict=True))
-    around = {i: [_neighbor(specimens, network, settings, key, i, j) for j in _next_to(network, key, i)] for i in key}
-    items = [
-        (store, found.template, specimens[i].key, bool(network.mirrored[i]), key[i], around[i]) for i in found.members
-    ]
-    progress.start()
-    failed = set()
-    for done, (k, message) in enumerate(runner.outcomes(agree, items)):
-        if message is not None:
-            failed.add(found.members[k])
-        progress.step("agreed", done + 1, len(items))
-    keys = [key[i] if i in failed else consensus_key(key[i], around[i]) for i in found.members]
+    """The same, each fit moved to where those of the neighbors, through the chosen maps, put it; a few times over, so
+    that what a map says reaches shapes farther away.
+    """
+    whole = dict(zip(found.members, found.keys, strict=True))
+    shape = {i: (specimens[i].key, bool(network.mirrored[i])) for i in whole}
+
+    def done_for(what: str, task: Task, items: Mapping[int, tuple[Any, ...]]) -> set[int]:
+        failed, members = set(), list(items)
+        progress.start()
+        for done, (k, message) in enumerate(runner.outcomes(task, [(store, *item) for item in items.values()])):
+            if message is not None:
+                failed.add(members[k])
+            progress.step(what, done + 1, len(items))
+        return failed
+
+    lost = done_for("located", located, {i: (*shape[i], key) for i, key in whole.items()})
+    key = {i: located_key(registration) for i, registration in whole.items() if i not in lost}
+    for number in range(1, AGREEMENTS + 1):
+        around = {
+            i: [_neighbor(specimens, network, settings, key, i, j) for j in _next_to(network, key, i)] for i in key
+        }
+        items = {i: (*shape[i], key[i], around[i]) for i in key}
+        lost = done_for(f"agreed, {number} of {AGREEMENTS}", agree, items)
+        key = {i: own if i in lost else agreement_key(own, around[i]) for i, own in key.items()}
+    fits = {i: (found.template, *shape[i], whole[i], agreement) for i, agreement in key.items()}
+    lost = done_for("fitted to that", refit, fits)
+    keys = [refit_key(k, key[i]) if i in key and i not in lost else k for i, k in whole.items()]
     shapes = np.stack([store.get("registrations", k)["vertices"] for k in keys])
     alignment = generalized_procrustes(shapes, found.weights, keep_size=settings.same_scale)
     return dataclasses.replace(found, keys=keys, alignment=alignment)
