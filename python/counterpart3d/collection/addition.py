@@ -20,12 +20,14 @@ from .folder import MeshFile, in_natural_order, meshes_in
 from .joining import join, joined_key
 from .made import scattered
 from .procrustes import aligned_to, moved, size_of_aligned
+from .quality import Row, row_of, worst_first
+from .report import Shown, write_report
 from .runner import Progress, Runner
 from .shapes import shape_key
 from .specimens import prepared_specimens
-from .statistics import Model
-from .store import Store, whole_file
-from .tables import write_table
+from .statistics import Model, distances_from_mean, outliers
+from .store import Arrays, Store, whole_file
+from .tables import write_quality, write_table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,9 +42,9 @@ class Base:
 
 
 def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
-    """Register the meshes of a folder that the collection does not have, and write them and the tables.
+    """Register the meshes of a folder that the collection does not have, and write them, the tables and the report.
 
-    The mean, the modes and what was written of the others stay.
+    The mean, the modes, ShapeWorks' project, and what was written of the others stay.
     """
     known = {member["content"] for member in base.content["members"]}
     names = {member["name"] for member in base.content["members"]}
@@ -61,7 +63,7 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
         else:
             left_out[specimens[i].name] = message
         progress.step("joined", done + 1, len(items))
-    _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out)
+    _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out, progress)
 
 
 def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
@@ -71,16 +73,18 @@ def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
     return dataclasses.replace(file, name=name)
 
 
-def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None:
+def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progress: Progress) -> None:
     """A run that is killed here changes nothing: what collection.json, written last, does not name does not count."""
     old = base.content["members"]
     size = None if base.content["keep_size"] else size_of_aligned(base.arrays["matrices"], base.arrays["sizes"])
-    members, scores, sizes, matrices = [], [], [], []
+    members, scores, sizes, matrices, distances = [], [], [], [], list(distances_from_mean(base.model))
     for file in joined:
-        registration = str(base.store.get("joined", joined_key(base.content["template"], file.content))["registration"])
+        registration = str(_found(base, file)["registration"])
         vertices = base.store.get("registrations", registration)["vertices"]
         matrix = aligned_to(vertices, base.model.mean, base.model.weights, size=size)
-        scores.append(base.model.project(moved(matrix, vertices)))
+        aligned = moved(matrix, vertices)
+        scores.append(base.model.project(aligned))
+        distances.append(float(np.sqrt(base.model.weights @ ((aligned - base.model.mean) ** 2).sum(axis=1))))
         centered = vertices - base.model.weights @ vertices
         sizes.append(float(np.sqrt(base.model.weights @ (centered**2).sum(axis=1))))
         matrices.append(matrix)
@@ -89,12 +93,58 @@ def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str]) -> None
     for name, rows in (("scores", scores), ("sizes", sizes), ("matrices", matrices)):
         if rows:
             arrays[name] = np.concatenate([arrays[name], np.stack([np.asarray(row) for row in rows])])
-    content = {**base.content, "members": [*old, *members], "left_out": {**base.content["left_out"], **left_out}}
+    quality = _quality(base, joined, np.array(distances), left_out)
+    content = {
+        **base.content,
+        "members": [*old, *members],
+        "left_out": {**base.content["left_out"], **left_out},
+        "measures": {**base.content["measures"], "specimens": len(old) + len(members)},
+        "quality": quality,
+    }
     with whole_file(base.folder / "model.npz") as out:
         np.savez_compressed(out, **arrays)  # type: ignore[arg-type]
     _extend_scores(base.folder / "scores.csv", len(old), [file.name for file in joined], sizes, scores)
+    write_quality(base.folder / "quality.csv", quality)
+    write_report(_shown(base, content, arrays), base.folder / "report.html", progress)
     with whole_file(base.folder / "collection.json") as out:
         out.write(json.dumps(content, indent=1).encode())
+
+
+def _shown(base: Base, content: dict[str, Any], arrays: dict[str, np.ndarray]) -> Shown:
+    """What the report shows of the collection with the new ones."""
+    members = content["members"]
+
+    def aligned(place: int) -> FloatArray:
+        return moved(
+            arrays["matrices"][place], base.store.get("registrations", members[place]["registration"])["vertices"]
+        )
+
+    return Shown(
+        dataclasses.replace(base.model, scores=arrays["scores"]),
+        [member["name"] for member in members],
+        aligned,
+        content["quality"],
+        content["notices"],
+        content["pairs"],
+        content["measures"],
+    )
+
+
+def _found(base: Base, file: MeshFile) -> Arrays:
+    return base.store.get("joined", joined_key(base.content["template"], file.content))
+
+
+def _quality(base: Base, joined: list[MeshFile], distances: FloatArray, left_out: dict[str, str]) -> list[Row]:
+    """The table with the new ones, whose distances from the mean come last."""
+    unusual = outliers(distances)[len(distances) - len(joined) :]
+    rows: list[Row] = [{"subject": name, "remark": why} for name, why in left_out.items()]
+    for file, value in zip(joined, unusual, strict=True):
+        found = _found(base, file)
+        fit = base.store.get("registrations", str(found["registration"]))
+        shape = base.store.get("shapes", shape_key(file.content))
+        rows.append(row_of(file.name, fit, shape, found["errors"].tolist(), float(value), mirrored=False))
+    renewed = {row["subject"] for row in rows}
+    return worst_first([*(row for row in base.content["quality"] if row["subject"] not in renewed), *rows])
 
 
 def _written_specimen(base: Base, file: MeshFile, registration: str, vertices: FloatArray) -> dict[str, Any]:

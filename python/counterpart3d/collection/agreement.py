@@ -26,7 +26,7 @@ def disagreement(
     """
     fits = {i: store.get("registrations", key) for i, key in zip(registered.members, registered.keys, strict=True)}
     return {
-        (i, j): _between(
+        (i, j): between(
             specimens[i].shape(store),
             specimens[j].shape(store),
             fits[i],
@@ -39,9 +39,10 @@ def disagreement(
     }
 
 
-def _between(
+def between(
     first: Arrays, second: Arrays, first_fit: Arrays, second_fit: Arrays, own: np.ndarray, mirrored: bool
 ) -> float:
+    """Mean distance on the second shape between a pair's own map and the one through the template's mesh."""
     samples = first["samples"]
     through = second_fit["vertices"][first_fit["template_from_scan"][samples]]
     if mirrored:

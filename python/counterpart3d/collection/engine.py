@@ -19,7 +19,7 @@ from .made import Made
 from .outputs import write_manifest, write_outputs
 from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
 from .quality import quality
-from .report import write_report
+from .report import shown, write_report
 from .rounds import Registered, agreed_specimens, registered_specimens
 from .runner import Progress, Runner
 from .settings import Settings
@@ -62,7 +62,7 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     made = Made(store, settings, specimens, left_out, network, registered, model, between, rows, points, landmarks)
     measures = measured(made)
     write_outputs(made, target, measures, progress)
-    write_report(made, target / "report.html", measures, progress)
+    write_report(shown(made, measures), target / "report.html", progress)
     write_manifest(made, target, measures)
     return made
 

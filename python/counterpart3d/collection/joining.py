@@ -10,6 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .._arrays import IntArray
+from .agreement import between
 from .correspondence import nearest_vertices
 from .pairs import match_pair, pair_key
 from .registration import register, registration_key
@@ -29,7 +30,7 @@ def join(store: Store, template: str, content: str, members: Sequence[Member]) -
     """
     key = shape_key(content)
     nearest = nearest_by_descriptor(store, key, [member[0] for member in members], N_NEIGHBORS)[0]
-    candidates = []
+    candidates, neighbors = [], []
     for i in nearest:
         shape, registration, mirrored = members[i]
         message = match_pair(store, shape, key, mirrored)
@@ -38,6 +39,7 @@ def join(store: Store, template: str, content: str, members: Sequence[Member]) -
         found = store.get("pairs", pair_key(shape, key, mirrored))
         forward = found["forward"][found["mirrored"] == mirrored][0]
         scan = store.get("shapes", shape)["vertices"] * ([-1, 1, 1] if mirrored else 1)
+        neighbors.append((members[i], forward))
         candidates.append(forward[nearest_vertices(store.get("registrations", registration)["vertices"], scan)])
     if not candidates:
         return "it could not be matched with any of the specimens nearest to it"
@@ -49,8 +51,16 @@ def join(store: Store, template: str, content: str, members: Sequence[Member]) -
     message = register(store, template, key, False, ("starts", start))
     if message is None:
         registration = registration_key(template, key, False, start)
-        store.save("joined", joined_key(template, content), {"registration": np.array(registration)})
+        errors = [_disagreement(store, member, forward, key, registration) for member, forward in neighbors]
+        result = {"registration": np.array(registration), "errors": np.array(errors)}
+        store.save("joined", joined_key(template, content), result)
     return message
+
+
+def _disagreement(store: Store, member: Member, own: IntArray, key: str, registration: str) -> float:
+    first, second = store.get("shapes", member[0]), store.get("shapes", key)
+    fits = store.get("registrations", member[1]), store.get("registrations", registration)
+    return between(first, second, *fits, own, mirrored=False)
 
 
 def agreed(images: np.ndarray) -> int:

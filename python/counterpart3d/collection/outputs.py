@@ -13,6 +13,7 @@ import numpy as np
 from .. import SurfaceMap, write, write_landmarks, write_map
 from .._arrays import FloatArray
 from .made import Made, Member
+from .report import worst_pairs
 from .runner import Progress
 from .shapeworks import write_shapeworks
 from .statismo import write_statismo
@@ -120,6 +121,8 @@ def write_manifest(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> N
         "axes": made.landmarks.axes if made.landmarks else None,
         "measures": measures,
         "notices": made.registered.notices,
+        "quality": made.quality,
+        "pairs": worst_pairs(made),
     }
     with whole_file(out / "collection.json") as file:
         file.write(json.dumps(content, indent=1).encode())

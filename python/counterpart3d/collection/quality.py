@@ -4,17 +4,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from .choice import Network
 from .graph import Edge
 from .rounds import Registered
 from .specimens import Specimen
-from .statistics import Model, outliers
-from .store import Store
+from .statistics import Model, distances_from_mean, outliers
+from .store import Arrays, Store
 
 Row = dict[str, str | float | bool]
-SUSPECT_COVERAGE, SUSPECT_ERROR, SUSPECT_OUTLIER = 0.9, 6.0, 3.0
+SUSPECT_COVERAGE, SUSPECT_ERROR, SUSPECT_OUTLIER = 0.9, 6.0, 1.0
 
 
 def quality(
@@ -31,34 +33,47 @@ def quality(
     Lengths are in mesh units, `norm_` ones relative to the diagonal of the specimen; cycle_error is
     x 100 / sqrt(area); `remark` says what is wrong.
     """
-    unusual = outliers(model)
+    unusual = outliers(distances_from_mean(model))
     rows: list[Row] = []
     for place, (i, key) in enumerate(zip(registered.members, registered.keys, strict=True)):
-        fit, shape = store.get("registrations", key), specimens[i].shape(store)
-        diagonal = float(shape["diagonal"])
         errors = [error for edge, error in between.items() if i in edge]
-        row: Row = {"subject": specimens[i].name, "is_template": i == network.tree.root}
-        for name, field in (("", "distance"), ("scan_", "scan_distance")):
-            mean, p99, most = (float(x) for x in fit[field])
-            row |= {f"{name}mean_dist": mean, f"{name}p99_dist": p99, f"{name}max_dist": most}
-            row |= {f"{name}norm_mean": mean / diagonal, f"{name}norm_max": most / diagonal}
-            row |= {f"{name}p99_over_mean": p99 / mean if mean > 0 else 0.0}
-        row |= {
-            "bbox_diag": diagonal,
-            "coverage": float(fit["coverage"]),
-            "turned_triangles": float(fit["turned"]),
-            "folded_edges": float(fit["folded"]),
-            "cycle_error": float(np.median(errors)) if errors else 0.0,
-            "confidence": float(fit["confidence"].mean()),
-            "score": float(fit["score"]),
-            "outlier": float(unusual[place]),
-            "mirrored": bool(network.mirrored[i]),
-        }
-        rows.append({**row, "remark": remark(row)})
-    rows.sort(key=lambda row: (-bool(row["remark"]), -float(row["cycle_error"]), -float(row["scan_norm_mean"])))
+        fit, shape = store.get("registrations", key), specimens[i].shape(store)
+        row = row_of(specimens[i].name, fit, shape, errors, float(unusual[place]), bool(network.mirrored[i]))
+        rows.append({**row, "is_template": i == network.tree.root})
     reasons = {specimens[i].name: why for i, why in {**registered.failures, **network.strangers}.items()}
-    missing: list[Row] = [{"subject": name, "remark": why} for name, why in sorted({**reasons, **left_out}.items())]
-    return missing + rows
+    missing: list[Row] = [{"subject": name, "remark": why} for name, why in {**reasons, **left_out}.items()]
+    return worst_first([*missing, *rows])
+
+
+def row_of(name: str, fit: Arrays, shape: Arrays, errors: Sequence[float], unusual: float, mirrored: bool) -> Row:
+    """What is said of one specimen."""
+    diagonal = float(shape["diagonal"])
+    row: Row = {"subject": name, "is_template": False}
+    for prefix, field in (("", "distance"), ("scan_", "scan_distance")):
+        mean, p99, most = (float(x) for x in fit[field])
+        row |= {f"{prefix}mean_dist": mean, f"{prefix}p99_dist": p99, f"{prefix}max_dist": most}
+        row |= {f"{prefix}norm_mean": mean / diagonal, f"{prefix}norm_max": most / diagonal}
+        row |= {f"{prefix}p99_over_mean": p99 / mean if mean > 0 else 0.0}
+    row |= {
+        "bbox_diag": diagonal,
+        "coverage": float(fit["coverage"]),
+        "turned_triangles": float(fit["turned"]),
+        "folded_edges": float(fit["folded"]),
+        "cycle_error": float(np.median(errors)) if len(errors) else 0.0,
+        "confidence": float(fit["confidence"].mean()),
+        "score": float(fit["score"]),
+        "outlier": unusual,
+        "mirrored": mirrored,
+    }
+    return {**row, "remark": remark(row)}
+
+
+def worst_first(rows: list[Row]) -> list[Row]:
+    """Files that were left out, by name; then specimens with a remark."""
+    missing = [row for row in rows if "mean_dist" not in row]
+    there = [row for row in rows if "mean_dist" in row]
+    there.sort(key=lambda row: (not row["remark"], -float(row["cycle_error"]), -float(row["scan_norm_mean"])))
+    return sorted(missing, key=lambda row: str(row["subject"])) + there
 
 
 def remark(row: Row) -> str:

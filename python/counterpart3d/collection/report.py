@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import base64
+import dataclasses
 import html
 import pathlib
 import string
+from collections.abc import Callable
 from importlib import resources
 from typing import Any
 
@@ -17,20 +19,63 @@ from .. import render
 from .._arrays import FloatArray
 from .made import Made
 from .plots import bars, scatter
+from .quality import Row
 from .runner import Progress
-from .statistics import compactness
+from .statistics import Model, compactness
 from .store import whole_file
 
 PICTURE = (240, 180)
 N_MODES, N_PICTURES = 5, 500
+Pair = tuple[str, str, float, bool]
 
 
-def write_report(made: Made, path: pathlib.Path, measures: dict[str, Any], progress: Progress) -> None:
+@dataclasses.dataclass(frozen=True)
+class Shown:
+    """What the report shows.
+
+    Attributes
+    ----------
+    model : Model
+    names : list of str
+        Of the specimens, in the order of the model's scores.
+    aligned : callable
+        The mesh of the specimen of this place, on the mean.
+    quality : list of Row
+    notices : list of str
+    pairs : list of (str, str, float, bool)
+        Those that disagree most: names, error, whether it was kept out of the choice.
+    measures : dict
+    """
+
+    model: Model
+    names: list[str]
+    aligned: Callable[[int], FloatArray]
+    quality: list[Row]
+    notices: list[str]
+    pairs: list[Pair]
+    measures: dict[str, Any]
+
+
+def shown(made: Made, measures: dict[str, Any]) -> Shown:
+    """A collection that was just made."""
+    members = made.members()
+    names = [member.name for member in members]
+    aligned = lambda place: members[place].aligned()  # noqa: E731
+    return Shown(made.model, names, aligned, made.quality, made.registered.notices, worst_pairs(made), measures)
+
+
+def worst_pairs(made: Made) -> list[Pair]:
+    worst = sorted(made.between.items(), key=lambda item: -item[1])[:10]
+    name = [specimen.name for specimen in made.specimens]
+    return [(name[i], name[j], error, (i, j) in made.network.held_out) for (i, j), error in worst]
+
+
+def write_report(made: Shown, path: pathlib.Path, progress: Progress) -> None:
     """Write the report."""
     page = string.Template(resources.files(__package__).joinpath("report.html").read_text(encoding="utf-8"))
     text = page.substitute(
         title=html.escape(path.parent.resolve().name),
-        summary=_summary(made, measures),
+        summary=_summary(made.measures),
         notices=_notices(made),
         sheet=_contact_sheet(made, progress),
         modes=_mode_sliders(made),
@@ -38,7 +83,7 @@ def write_report(made: Made, path: pathlib.Path, measures: dict[str, Any], progr
         triangles=_base64(made.model.triangles.astype("<u4")),
         displacements=_base64(_viewer_modes(made)),
         colors=_base64((255 * position_colors(made.model.mean)).astype("u1")),
-        scatter=scatter(made.model.scores, [m.name for m in made.members()], made.model.variances),
+        scatter=scatter(made.model.scores, made.names, made.model.variances),
         compactness=bars(compactness(made.model)),
         table=_table(made),
         pairs=_pairs(made),
@@ -69,14 +114,14 @@ def view_axes(mean: FloatArray) -> FloatArray:
     return result
 
 
-def _viewer_vertices(made: Made) -> FloatArray:
+def _viewer_vertices(made: Shown) -> FloatArray:
     turned = upright(made.model.mean)
     center = (turned.max(axis=0) + turned.min(axis=0)) / 2
     result: FloatArray = ((turned - center) / np.abs(turned - center).max()).astype("<f4")
     return result
 
 
-def _viewer_modes(made: Made) -> FloatArray:
+def _viewer_modes(made: Shown) -> FloatArray:
     """Displacements of one standard deviation, in the viewer's units."""
     turned = upright(made.model.mean)
     scale = np.abs(turned - (turned.max(axis=0) + turned.min(axis=0)) / 2).max()
@@ -89,17 +134,17 @@ def _base64(array: np.ndarray) -> str:
     return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode()
 
 
-def _contact_sheet(made: Made, progress: Progress) -> str:
+def _contact_sheet(made: Shown, progress: Progress) -> str:
     colors, axes = position_colors(made.model.mean), view_axes(made.model.mean)
     remarks = {row["subject"]: str(row["remark"]) for row in made.quality}
     place = {row["subject"]: k for k, row in enumerate(made.quality)}
-    members = sorted(made.members(), key=lambda member: place[member.name])[:N_PICTURES]
+    members = sorted(range(len(made.names)), key=lambda i: place[made.names[i]])[:N_PICTURES]
     cells = []
     progress.start()
-    for done, member in enumerate(members):
-        mesh = member.aligned() @ axes.T, made.registered.triangles
+    for done, i in enumerate(members):
+        mesh = made.aligned(i) @ axes.T, made.model.triangles
         picture = render(mesh, colors=colors, size=PICTURE, view="front", up="y", n_threads=1)
-        remark, name = html.escape(remarks[member.name]), html.escape(member.name)
+        remark, name = html.escape(remarks[made.names[i]]), html.escape(made.names[i])
         cells.append(
             f'<figure class="{"suspect" if remark else "fine"}" title="{remark}">'
             f'<img loading="lazy" alt="{name}" src="data:image/png;base64,{base64.b64encode(picture.png()).decode()}">'
@@ -109,7 +154,7 @@ def _contact_sheet(made: Made, progress: Progress) -> str:
     return "\n".join(cells)
 
 
-def _mode_sliders(made: Made) -> str:
+def _mode_sliders(made: Shown) -> str:
     share = made.model.variances / max(made.model.variances.sum(), 1e-300)
     return "\n".join(
         f"<label>mode {k + 1} <small>{100 * share[k]:.0f} %</small>"
@@ -130,14 +175,14 @@ WORDS = {
 }
 
 
-def _summary(made: Made, measures: dict[str, Any]) -> str:
+def _summary(measures: dict[str, Any]) -> str:
     return "\n".join(
         f"<li><b>{measures[name]:.4g}</b> {words}</li>" for name, words in WORDS.items() if name in measures
     )
 
 
-def _notices(made: Made) -> str:
-    said = [*made.registered.notices]
+def _notices(made: Shown) -> str:
+    said = [*made.notices]
     bad = sum(bool(row["remark"]) for row in made.quality)
     if bad:
         said.append(
@@ -148,7 +193,7 @@ def _notices(made: Made) -> str:
     return "\n".join(f"<p class=notice>{html.escape(sentence)}.</p>".replace("..<", ".<") for sentence in said)
 
 
-def _table(made: Made) -> str:
+def _table(made: Shown) -> str:
     columns = {
         "subject": "specimen",
         "norm_mean": "distance, % of diagonal",
@@ -175,10 +220,8 @@ def _table(made: Made) -> str:
     return f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>"
 
 
-def _pairs(made: Made) -> str:
-    worst = sorted(made.between.items(), key=lambda item: -item[1])[:10]
-    names = [html.escape(specimen.name) for specimen in made.specimens]
+def _pairs(made: Shown) -> str:
     return "\n".join(
-        f"<li>{names[i]} and {names[j]}: {error:.1f}{' (kept out)' if (i, j) in made.network.held_out else ''}</li>"
-        for (i, j), error in worst
+        f"<li>{html.escape(a)} and {html.escape(b)}: {error:.1f}{' (kept out)' if kept_out else ''}</li>"
+        for a, b, error, kept_out in made.pairs
     )

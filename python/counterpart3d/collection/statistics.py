@@ -9,13 +9,16 @@ variability"; measured from points to surfaces, in mesh units.
 from __future__ import annotations
 
 import dataclasses
+import functools
 
 import numpy as np
+from scipy.stats import t as student
 
 from .._arrays import FloatArray, IntArray
 from .surfaces import nearest_points
 
-LEAST_DEVIATION = 0.15  # of the median: what is within half of it above is not unusual
+LEAST_DEVIATION = 0.1  # of the median of cube roots: what is a third above in distance is not unusual
+CHANCE = 0.04  # with the steps of the test, 5 % of collections
 
 
 @dataclasses.dataclass(frozen=True)
@@ -113,16 +116,37 @@ def specificity(aligned: FloatArray, model: Model, n_samples: int = 100, seed: i
     return np.array(errors)
 
 
-def outliers(model: Model) -> FloatArray:
-    """How unusual each shape is, (n,): how far its distance from the mean is above the median, in standard deviations.
-
-    These are estimated from the median absolute deviation, so that outliers do not hide themselves: a Mahalanobis
-    distance over modes that they take part in can never exceed (n - 1) / sqrt(n). Zeros for fewer than five shapes.
-    """
-    distance = np.sqrt((model.scores**2).sum(axis=1))
-    if len(distance) < 5:
-        return np.zeros(len(distance))
-    median = np.median(distance)
-    deviation = 1.4826 * np.median(np.abs(distance - median))  # of a normal distribution
-    result: FloatArray = (distance - median) / max(deviation, LEAST_DEVIATION * median, 1e-300)
+def distances_from_mean(model: Model) -> FloatArray:
+    """Of each shape, (n,), in mesh units."""
+    result: FloatArray = np.sqrt((model.scores**2).sum(axis=1))
     return result
+
+
+def outliers(distance: FloatArray) -> FloatArray:
+    """How unusual each shape is by its distance from the mean, (n,): above 1 by chance in 5 % of collections.
+
+    Rosner 1983, "Percentage points for a generalized ESD many-outlier procedure", one-sided, on cube roots, whose
+    distribution is nearly normal however many modes there are; outliers up to a third of the shapes do not hide each
+    other. Zeros for fewer than five shapes.
+    """
+    n = len(distance)
+    root = np.cbrt(distance)
+    if n < 5 or np.ptp(root) < LEAST_DEVIATION * np.median(root):
+        return np.zeros(n)
+    order = np.argsort(root)
+    n_out = 0
+    for k in range(n // 3):
+        kept = root[order[: n - k]]
+        if kept[-1] - kept.mean() > _critical(n - k) * kept.std(ddof=1):
+            n_out = k + 1
+    usual = root[order[: n - n_out]]
+    deviation = max(float(usual.std(ddof=1)), LEAST_DEVIATION * float(np.median(root)) / _critical(n))
+    result: FloatArray = (root - usual.mean()) / deviation / _critical(n)
+    return result
+
+
+@functools.cache
+def _critical(n: int) -> float:
+    """The largest of n normal values is farther from their mean, in standard deviations, only by chance."""
+    quantile = float(student.ppf(1 - CHANCE / n, n - 2))
+    return float((n - 1) * quantile / np.sqrt(n * (n - 2 + quantile**2)))

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from .made import Made
+from .quality import Row
 from .statistics import compactness
 from .store import whole_file
 
@@ -32,14 +33,14 @@ def _shown(value: Any) -> Any:
     return f"{value:.6g}" if isinstance(value, (float, np.floating)) else value
 
 
+def write_quality(path: pathlib.Path, rows: Sequence[Row]) -> None:
+    header = list(dict.fromkeys(name for row in reversed(rows) for name in row if name != "remark"))
+    write_table(path, [*header, "remark"], ([row.get(name, "") for name in [*header, "remark"]] for row in rows))
+
+
 def write_tables(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> None:
     """quality.csv, scores.csv, modes.csv."""
-    header = list(dict.fromkeys(name for row in reversed(made.quality) for name in row if name != "remark"))
-    write_table(
-        out / "quality.csv",
-        [*header, "remark"],
-        ([row.get(name, "") for name in [*header, "remark"]] for row in made.quality),
-    )
+    write_quality(out / "quality.csv", made.quality)
     names = [member.name for member in made.members()]
     modes = [f"PC{k + 1}" for k in range(len(made.model.variances))]
     sizes = made.registered.alignment.sizes

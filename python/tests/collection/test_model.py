@@ -10,6 +10,7 @@ pytest.importorskip("scipy")
 from counterpart3d.collection.quality import remark
 from counterpart3d.collection.statistics import (
     compactness,
+    distances_from_mean,
     generalization,
     outliers,
     principal_modes,
@@ -72,10 +73,14 @@ def test_measures(planted):
     assert generalization(rough, principal_modes(rough, triangles, weights), 10).mean() > 0.005
 
 
+def unusual_in(model):
+    return outliers(distances_from_mean(model))
+
+
 def test_an_outlier_stands_out(planted):
     shapes, triangles, weights, modes, _ = planted
     odd = np.concatenate([shapes, shapes[:1] + 1.5 * modes[1]])
-    unusual = outliers(principal_modes(odd, triangles, weights))
+    unusual = unusual_in(principal_modes(odd, triangles, weights))
     assert np.argmax(unusual) == 40 and unusual[40] > 2 * np.sort(unusual)[-2]
 
 
@@ -86,16 +91,35 @@ FINE = {"coverage": 1.0, "cycle_error": 1.0, "turned_triangles": 0.0, "mirrored"
 def test_one_outlier_among_few_is_remarked(planted, n):
     shapes, triangles, weights, modes, _ = planted
     odd = np.concatenate([shapes[: n - 1], shapes[:1] + 1.5 * modes[1]])
-    said = [remark({**FINE, "outlier": value}) for value in outliers(principal_modes(odd, triangles, weights))]
+    said = [remark({**FINE, "outlier": value}) for value in unusual_in(principal_modes(odd, triangles, weights))]
     assert said == [*[""] * (n - 1), "it is unlike the others"]
-    alike = outliers(principal_modes(shapes[:n], triangles, weights))
+    alike = unusual_in(principal_modes(shapes[:n], triangles, weights))
     assert [remark({**FINE, "outlier": value}) for value in alike] == [""] * n
+
+
+def test_outliers_do_not_hide_each_other(planted):
+    shapes, triangles, weights, modes, _ = planted
+    odd = np.concatenate([shapes[:12], shapes[:2] + 1.5 * modes[1], shapes[2:3] - 1.2 * modes[1]])
+    assert (unusual_in(principal_modes(odd, triangles, weights)) > 1).tolist() == [False] * 12 + [True] * 3
+
+
+@pytest.mark.parametrize("n", [5, 14, 40])
+@pytest.mark.parametrize("decay", [0.05, 0.6, 1.0])
+def test_alarms_are_false_in_one_collection_of_twenty(n, decay):
+    """However fast the variances of the modes decay."""
+    random = np.random.default_rng(n)
+    deviations = np.sqrt(decay ** np.arange(min(n - 1, 20)))
+    alarms = 0
+    for _ in range(300):
+        scores = random.normal(size=(n, len(deviations))) * deviations
+        alarms += outliers(np.linalg.norm(scores - scores.mean(axis=0), axis=1)).max() > 1
+    assert alarms < 300 * 0.05 + 3 * np.sqrt(300 * 0.05 * 0.95)
 
 
 def test_a_few_shapes_have_no_outlier(planted):
     shapes, triangles, weights, *_ = planted
-    assert not outliers(principal_modes(shapes[:4], triangles, weights)).any()
-    assert outliers(principal_modes(shapes[[0] * 6], triangles, weights)).max() < 3
+    assert not unusual_in(principal_modes(shapes[:4], triangles, weights)).any()
+    assert unusual_in(principal_modes(shapes[[0] * 6], triangles, weights)).max() < 1
 
 
 def test_a_vertex_without_area_moves_with_the_shapes(planted):
