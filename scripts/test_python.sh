@@ -19,7 +19,7 @@ cmake --build --preset release --target python_package counterpart_cli
 export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/build/release/counterpart}
 only=()
 [ "${1:-}" != --quick ] || only=(-m "not slow")
-"$venv/bin/python" -m pytest -q -n 2 --timeout 300 --timeout-method thread "${only[@]}" --doctest-modules python/tests \
+"$venv/bin/python" -m pytest -q -n 2 --timeout 600 --timeout-method thread "${only[@]}" --doctest-modules python/tests \
   "$PYTHONPATH/counterpart3d"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart3d" python/examples benchmarks/python build/tutorials
