@@ -15,6 +15,7 @@ from .same_faces import same_faces
 from .stored_map import StoredMap
 
 AFFINE = 0.005  # of the size: how far nearly all vertices may be from where an affine map takes them
+SCULPTED = 0.03  # the same of a similarity
 
 
 class Carrier:
@@ -99,23 +100,25 @@ class Carrier:
         return self.vertex_numbers(self.active.vertices)
 
     @cached_property
-    def affine_turn(self) -> np.ndarray | None:
-        """The linear part, for rows, of the affine map that takes the active surface to the selected one, if there is
-        one: that of a copy which was moved, turned and scaled."""
-        here = np.column_stack([self.positions, np.ones(len(self.positions))])
-        matrix, _, rank, _ = np.linalg.lstsq(here, self.selected.vertices, rcond=None)
-        off = np.linalg.norm(here @ matrix - self.selected.vertices, axis=1)
-        return matrix[:3] if rank == 4 and np.percentile(off, 99) < AFFINE * self.selected.size else None
+    def turn(self) -> np.ndarray | None:
+        """The linear part, for rows, of the map that takes the active surface to the selected one as a whole, if there
+        is one: affine for a copy that was moved, turned and scaled, a similarity for one that was also sculpted a
+        little, whose swellings are no stretching."""
+        here = cp.Mesh(self.positions, self.selected.triangles)
+        same = np.arange(len(self.positions), dtype=np.int32)
+        for model, far in (("affine", AFFINE), ("similarity", SCULPTED)):
+            laid = cp.align(here, self.selected.mesh(), same, model=model)
+            off = np.linalg.norm(laid.vertices - self.selected.vertices, axis=1)
+            if np.percentile(off, 99) < far * self.selected.size:
+                return laid.matrix[:3, :3].T
+        return None
 
     @cached_property
     def _nearest_face(self) -> np.ndarray:
         """The face of the active mesh under the middle of each selected face."""
-        from mathutils.bvhtree import BVHTree
-
         starts = np.cumsum(self.selected.sizes) - self.selected.sizes
         middles = np.add.reduceat(self.positions[self.selected.corners], starts) / self.selected.sizes[:, None]
-        tree = BVHTree.FromPolygons(self.active.vertices.tolist(), self.active.triangles.tolist())
-        triangle = [tree.find_nearest(middle)[2] for middle in middles.tolist()]
+        triangle = [self.active.tree.find_nearest(middle)[2] for middle in middles.tolist()]
         return self.active.face_of_triangle[np.array(triangle)]
 
     @cached_property

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import counterpart3d as cp
 import numpy as np
 
-from .in_place import match_in_place, match_moved
+from .in_place import match_near, match_touching
 from .job import Progress, part_of
 from .landmarks import landmark_names, landmark_pairs
+from .moved import match_moved
 from .objects import Refused, Surface, read_surface, require_mesh
 from .stored_map import StoredMap, points_at_vertices, stored
 
@@ -104,10 +105,7 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         options=options.words,
     )
     if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
-        lying = match_in_place(pair.active, pair.selected)
-        maps = [lying] if lying is not None else []
-        if not maps and options.part not in DECLARED:
-            maps = match_moved(pair.active, pair.selected, options.aligned, part_of(progress, 0.05, 0.2))
+        maps = _lying(pair, part_of(progress, 0.05, 0.2))
         if maps:
             return _in_place(pair, maps, asked)
     result = cp.match(
@@ -133,6 +131,17 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     )
 
 
+def _lying(pair: Pair, progress: Progress) -> list[cp.SurfaceMap]:
+    """The map, and a runner-up, of surfaces that lie on or near each other or can be moved so; else none."""
+    ends, options = (pair.active, pair.selected), pair.options
+    touching = match_touching(*ends)
+    if touching is not None:
+        return [touching]
+    moved = match_moved(*ends, options.aligned, progress) if options.part not in DECLARED else []
+    near = None if moved else match_near(*ends)
+    return moved if near is None else [near]
+
+
 def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> StoredMap:
     """The first of the maps; a second one makes it doubtful."""
     vertex, *others = [cp.nearest_corners(pair.active.mesh(), points) for points in maps]
@@ -141,7 +150,7 @@ def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> S
         method="in place",
         verdict="check" if others else "use",
         reason=TURNS if others else "",
-        notices="the surfaces lie on each other, or do so when moved",
+        notices="the surfaces lie on or near each other, or on each other when moved",
     )
     return StoredMap(vertex, maps[0], confidence, others[0] if others else None, **asked, **said)
 

@@ -10,6 +10,7 @@ from functools import cached_property
 
 import counterpart3d as cp
 import numpy as np
+from mathutils.bvhtree import BVHTree
 
 
 class Refused(Exception):
@@ -51,6 +52,11 @@ class Surface:
     def size(self) -> float:
         """The diagonal of the bounding box."""
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
+
+    @cached_property
+    def tree(self) -> BVHTree:
+        """Finds the triangle nearest to a point."""
+        return BVHTree.FromPolygons(self.vertices.tolist(), self.triangles.tolist())
 
     @cached_property
     def connectivity(self) -> str:

@@ -6,6 +6,7 @@ the place on the character, so that the truth is known at every vertex of every 
 import bmesh
 import bpy
 import numpy as np
+from mathutils.bvhtree import BVHTree
 
 HEIGHT = 1.8
 JOINTS = {
@@ -189,6 +190,21 @@ def sculpted(obj, name, amount=0.03):
     copy.data.vertices.foreach_set("co", (points + swell[:, None] * normals).astype(np.float32).ravel())
     copy.data.update()
     return copy
+
+
+def places_on(original, copy, places):
+    """For each vertex of the copy what `places` holds at the nearest point of the original."""
+    original.data.calc_loop_triangles()
+    triangles = np.array([triangle.vertices[:] for triangle in original.data.loop_triangles])
+    points = positions(original)
+    tree = BVHTree.FromPolygons(points.tolist(), triangles.tolist())
+    found = []
+    for point in positions(copy):
+        place, _, triangle, _ = tree.find_nearest(point)
+        a, b, d = points[triangles[triangle]]
+        s, t = np.linalg.lstsq(np.stack([b - a, d - a], axis=1), np.array(place) - a, rcond=None)[0]
+        found.append(np.array([1 - s - t, s, t]) @ places[triangles[triangle]])
+    return np.array(found)
 
 
 def positions(obj):

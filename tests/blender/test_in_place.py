@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: MIT
 """Surfaces that lie on each other once one is moved and turned."""
 
+from dataclasses import replace
+
 import bpy
 import characters as c
 import numpy as np
+from counterpart_extension.in_place import match_near
+from counterpart_extension.objects import read_surface
 from counterpart_extension.stored_map import stored
 from mathutils import Matrix
 
@@ -65,3 +69,33 @@ def test_a_declared_part_is_not_moved(hero):
     active, selected = box("A", 4, Matrix()), box("B", 3, TURNED)
     assert matched(active, selected, part="neither").method == "in place"
     assert matched(active, selected, part="source").method != "in place"
+
+
+def comb(name, n_teeth):
+    """1 wide, with teeth of half the pitch."""
+    outline = [(0, -0.3), (1, -0.3), (1, 0)]
+    for tooth in reversed(range(n_teeth)):
+        left, right = (tooth + 0.25) / n_teeth, (tooth + 0.75) / n_teeth
+        outline += [(right, 0), (right, 0.5), (left, 0.5), (left, 0)]
+    outline.append((0, 0))
+    n = len(outline)
+    mesh = bpy.data.meshes.new(name)
+    sides = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    faces = [tuple(reversed(range(n))), tuple(range(n, 2 * n)), *sides]
+    mesh.from_pydata([(x, y, z) for z in (0, 0.05) for x, y in outline], [], faces)
+    obj = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(obj)
+    return c.remeshed(obj, name, 0.01)
+
+
+def test_near_is_not_enough():
+    """Most teeth are near two others: the nearest points would tear them apart."""
+    same, other = read_surface(comb("A", 16)), read_surface(comb("B", 13))
+    assert match_near(same, other) is None
+    thicker = replace(same, vertices=same.vertices * (1, 1, 1.5))
+    assert match_near(same, thicker) is not None
+
+
+def test_sculpted_is_near(hero):
+    found = matched(hero, c.remeshed(c.sculpted(hero, "Fuller"), "Other"))
+    assert (found.method, found.verdict) == ("in place", "use")

@@ -56,9 +56,8 @@ def moved_displacements(local: dict[str, np.ndarray], carrier: Carrier) -> dict[
     if not local:
         return {}
     world = {name: carrier.active.vectors_to_world(moves.astype(np.float64)) for name, moves in local.items()}
-    turn = carrier.affine_turn
-    if turn is not None:
-        moved = {name: carrier.vertex_numbers(moves) @ turn for name, moves in world.items()}
+    if carrier.turn is not None:
+        moved = {name: carrier.vertex_numbers(moves) @ carrier.turn for name, moves in world.items()}
         return {name: carrier.selected.vectors_to_local(moves) for name, moves in moved.items()}
     source = cp.Mesh(*carrier.active.mesh(), morphs=world)
     mesh = cp.transfer(source, carrier.selected.mesh(), source_from_target=carrier.points, what=["morphs"]).mesh
