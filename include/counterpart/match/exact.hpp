@@ -66,8 +66,8 @@ struct ExactResult {
     /// Source vertices of parts alike in themselves or to each other, whose images place alone tells, as edge
     /// lengths fit another way about as well. Increasing; not told where `path` is patches.
     std::vector<Index> by_place;
-    /// Of the source's triangles, the share whose components lengths of edges confirm to be partners: all
-    /// where the connectivity has no symmetry. Below a half, regular triangulations (grids, wraps of a
+    /// Of the source's triangles, the share whose components lengths and curvature confirm to be partners:
+    /// all where the connectivity has no symmetry. Below a half, regular triangulations (grids, wraps of a
     /// template) may have their connectivity in common by accident. Not told where `path` is patches.
     double confirmed_share = 0;
     Count automorphisms;            ///< of the source, orientation-preserving, with the identity

@@ -1,39 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/differences/lengths_fit.hpp"
+#include "numerics/rank_correlation.hpp"
 
 #include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/match/compare.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
 
-#include <algorithm>
-#include <numeric>
-#include <vector>
-
 namespace counterpart {
 namespace {
 
-// The rank of each value, from -0.5 to 0.5.
-Vector ranks(const Vector& values) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Eigen::Index i, Eigen::Index j) { return values[i] < values[j]; });
-    Vector result(values.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        result[order[i]] = (static_cast<double>(i) + 0.5) / static_cast<double>(order.size()) - 0.5;
-    return result;
-}
-
-// Whether both bulge and are hollow at the same vertices (Spearman's rank correlation), as a surface and the
+// Whether both bulge and are hollow at the same vertices, as a surface and the
 // same surface bent are.
 bool curve_alike(MeshView source, MeshView target) {
     constexpr double least_correlation = 0.4;
     if (!(surface_area(source) > 0 && surface_area(target) > 0)) return false;
-    const Vector ours = ranks(mean_curvature(source, laplace_beltrami(source))),
-                 theirs = ranks(mean_curvature(target, laplace_beltrami(target)));
-    return ours.dot(theirs) >= least_correlation * ours.norm() * theirs.norm();
+    return numerics::rank_correlation(mean_curvature(source, laplace_beltrami(source)),
+                                      mean_curvature(target, laplace_beltrami(target))) >= least_correlation;
 }
 
 }  // namespace

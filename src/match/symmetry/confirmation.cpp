@@ -3,9 +3,15 @@
 #include "match/symmetry/confirmation.hpp"
 
 #include "match/symmetry/tuning.hpp"
+#include "numerics/rank_correlation.hpp"
+
+#include <counterpart/descriptor/descriptors.hpp>
+#include <counterpart/mesh/measure.hpp>
+#include <counterpart/spectral/eigen_basis.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace counterpart::symmetry {
 
@@ -33,6 +39,11 @@ double spread(const std::vector<double>& values) {
 struct Side {
     const DartMap& map;
     MeshView mesh;
+    Vector curvature;  // of the mesh's vertices; none without area
+
+    Side(const DartMap& of, MeshView view) : map(of), mesh(view) {
+        if (surface_area(mesh) > 0) curvature = mean_curvature(mesh, laplace_beltrami(mesh));
+    }
 
     double length(Dart d) const {
         const auto at = [&](Dart f) { return mesh.vertices.row(map.input_vertex[to_size(map.origin(f))]); };
@@ -54,6 +65,19 @@ double deviation(const Side& a, const Side& b, const ComponentPair& pair) {
     const double common = median(ratios);
     for (double& ratio : ratios) ratio = std::abs(ratio - common);
     return median(std::move(ratios));
+}
+
+// Whether both bulge and are hollow at the same places.
+bool curve_alike(const Side& a, const Side& b, const ComponentPair& pair) {
+    if (a.curvature.size() == 0 || b.curvature.size() == 0) return false;
+    std::vector<double> here, there;
+    for (const std::size_t k : evenly_spread(pair.size(), exact_tuning.confirming_triangles)) {
+        here.push_back(a.curvature[a.map.input_vertex[to_size(a.map.origin(pair.on_source(k)))]]);
+        there.push_back(b.curvature[b.map.input_vertex[to_size(b.map.origin(pair.on_target(k)))]]);
+    }
+    const auto n = static_cast<Eigen::Index>(here.size());
+    return numerics::rank_correlation(Eigen::Map<Vector>(here.data(), n),
+                                      Eigen::Map<Vector>(there.data(), n)) >= exact_tuning.curve_alike;
 }
 
 // The pair with a symmetry of the representative before its automorphism.
@@ -79,36 +103,40 @@ std::vector<Images> some_symmetries(const MatchedMaps& maps, const ComponentClas
     return result;
 }
 
-bool is_confirmed(const MatchedMaps& maps, const ComponentPair& pair, const std::vector<Images>& symmetries,
-                  std::size_t order) {
-    const Side source{maps.source, maps.source_mesh}, target{maps.target, maps.target_mesh};
+bool is_confirmed(const Side& source, const Side& target, const ComponentPair& pair,
+                  const std::vector<Images>& symmetries, std::size_t order) {
     std::vector<double> others, of_source, of_target;
     for (const Images& symmetry : symmetries) {
         others.push_back(deviation(source, target, turned(pair, symmetry)));
         of_source.push_back(deviation(source, source, {pair.kind, pair.source, pair.source, symmetry}));
         of_target.push_back(deviation(target, target, {pair.kind, pair.target, pair.target, symmetry}));
     }
-    // The best of so many ways is as much better than the middle by chance, in standard deviations.
-    const double by_chance = std::sqrt(2 * std::log(static_cast<double>(order))) * spread(others);
     const double chosen = deviation(source, target, pair);
     const double itself = std::min(median(std::move(of_source)), median(std::move(of_target)));
+    if (itself <= std::max(exact_tuning.clear_share * chosen, exact_tuning.alike)) return true;
+    // The best of so many ways is as much better than the middle by chance, in standard deviations.
+    const double by_chance = std::sqrt(2 * std::log(static_cast<double>(order))) * spread(others);
     const double middle = median(std::move(others));
-    return chosen <= std::max(exact_tuning.clear_share * middle, exact_tuning.alike) ||
-           chosen <= middle - exact_tuning.beyond_chance * by_chance ||
-           itself <= std::max(exact_tuning.clear_share * chosen, exact_tuning.alike);
+    const bool keeps_lengths = chosen <= std::max(exact_tuning.clear_share * middle, exact_tuning.alike) ||
+                               chosen <= middle - exact_tuning.beyond_chance * by_chance;
+    return keeps_lengths && curve_alike(source, target, pair);
 }
 
 }  // namespace
 
 double confirmed_share(const MatchedMaps& maps, const Choice& choice) {
     std::vector<std::vector<Images>> symmetries(maps.classes.size());
+    std::optional<Side> source, target;
     double confirmed = 0;
     for (const ComponentPair& pair : choice.pairs) {
         const auto k = to_size(pair.kind - maps.classes.data());
-        const AutomorphismGroup& group = maps.groups[k];
-        if (group.order() > 1 && symmetries[k].empty())
-            symmetries[k] = some_symmetries(maps, *pair.kind, group);
-        if (group.order() == 1 || is_confirmed(maps, pair, symmetries[k], group.order()))
+        const std::size_t order = maps.groups[k].order();
+        if (order > 1 && symmetries[k].empty()) {
+            symmetries[k] = some_symmetries(maps, *pair.kind, maps.groups[k]);
+            if (!source) source.emplace(maps.source, maps.source_mesh);
+            if (!target) target.emplace(maps.target, maps.target_mesh);
+        }
+        if (order == 1 || is_confirmed(*source, *target, pair, symmetries[k], order))
             confirmed += static_cast<double>(pair.size());
     }
     return confirmed / std::max(1, maps.source.n_triangles());

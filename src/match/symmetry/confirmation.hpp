@@ -10,9 +10,9 @@ namespace counterpart::symmetry {
 
 /// The share of the triangles whose components lengths of edges confirm to be partners. Connectivity that is
 /// alike in one way only needs no confirmation. Of several ways the chosen one must keep lengths twice as
-/// well as the others do in the middle, or better than the best of so many would by chance; or one of both
-/// components is as alike in shape as in connectivity, so that every way is right. O(F) for each of some
-/// automorphisms.
+/// well as the others do in the middle, or better than the best of so many would by chance, and curve alike;
+/// or one of both components is as alike in shape as in connectivity, so that every way is right. O(F) for
+/// each of some automorphisms.
 double confirmed_share(const MatchedMaps& maps, const Choice& choice);
 
 }  // namespace counterpart::symmetry

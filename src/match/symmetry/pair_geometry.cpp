@@ -13,7 +13,8 @@ using namespace isomorphism;
 
 namespace {
 
-double mean_edge_length(MeshView mesh) {
+// Of triangles: an edge between two counts twice.
+double mean_side_length(MeshView mesh) {
     double sum = 0;
     for (Index t = 0; t < mesh.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c)
@@ -33,7 +34,7 @@ std::vector<std::size_t> evenly_spread(std::size_t size, std::size_t max) {
 
 PairGeometry::PairGeometry(const MatchedMaps& maps) : maps_(maps) {
     // Where components are missing the totals do not compare, but the means nearly do.
-    const double source = mean_edge_length(maps.source_mesh), target = mean_edge_length(maps.target_mesh);
+    const double source = mean_side_length(maps.source_mesh), target = mean_side_length(maps.target_mesh);
     if (source > 0 && target > 0) length_scale_ = target / source;
     tolerance_ = std::pow(exact_tuning.rounding * target, 2);
 }

@@ -46,10 +46,12 @@ struct ExactTuning {
     /// Automorphisms that a chosen one is compared with, and triangles on which they are.
     std::size_t n_compared = 32, confirming_triangles = 2000;
     /// It is confirmed by a deviation of lengths up to this share of that of the others, or by being so many
-    /// times as far below theirs as the best would be by chance; and a deviation that is as good as none. Of
-    /// eggs and blobs that are bent and warped by 5 to 25 % right ways are 1.3 to 3.1 times as far below, of
-    /// wraps of other blobs 0.4 to 0.9.
+    /// times as far below theirs as the best would be by chance; and a deviation that is as good as none.
     double clear_share = 0.5, beyond_chance = 1.25, alike = 0.01;
+    /// And by this rank correlation of mean curvature: 0.95 to 1 of eggs and blobs that are bent or twisted,
+    /// 0.6 to 0.98 of those warped by 5 to 15 %; 0.3 to 0.6 of two wraps of one blob, 0.9 where they are
+    /// turned by 11 degrees only.
+    double curve_alike = 0.65;
 
     // ---- non-manifold meshes ----
     /// Isomorphisms that are compared, and triangles of them that may be measured together.
