@@ -105,15 +105,16 @@ std::vector<Images> some_symmetries(const MatchedMaps& maps, const ComponentClas
 
 bool is_confirmed(const Side& source, const Side& target, const ComponentPair& pair,
                   const std::vector<Images>& symmetries, std::size_t order) {
-    std::vector<double> others, of_source, of_target;
+    const double chosen = deviation(source, target, pair);
+    std::vector<double> of_source, of_target, others;
     for (const Images& symmetry : symmetries) {
-        others.push_back(deviation(source, target, turned(pair, symmetry)));
         of_source.push_back(deviation(source, source, {pair.kind, pair.source, pair.source, symmetry}));
         of_target.push_back(deviation(target, target, {pair.kind, pair.target, pair.target, symmetry}));
     }
-    const double chosen = deviation(source, target, pair);
     const double itself = std::min(median(std::move(of_source)), median(std::move(of_target)));
     if (itself <= std::max(exact_tuning.clear_share * chosen, exact_tuning.alike)) return true;
+    for (const Images& symmetry : symmetries)
+        others.push_back(deviation(source, target, turned(pair, symmetry)));
     // The best of so many ways is as much better than the middle by chance, in standard deviations.
     const double by_chance = std::sqrt(2 * std::log(static_cast<double>(order))) * spread(others);
     const double middle = median(std::move(others));
@@ -125,19 +126,28 @@ bool is_confirmed(const Side& source, const Side& target, const ComponentPair& p
 }  // namespace
 
 double confirmed_share(const MatchedMaps& maps, const Choice& choice) {
-    std::vector<std::vector<Images>> symmetries(maps.classes.size());
+    std::vector<std::vector<const ComponentPair*>> of_class(maps.classes.size());
+    for (const ComponentPair& pair : choice.pairs)
+        of_class[to_size(pair.kind - maps.classes.data())].push_back(&pair);
     std::optional<Side> source, target;
     double confirmed = 0;
-    for (const ComponentPair& pair : choice.pairs) {
-        const auto k = to_size(pair.kind - maps.classes.data());
+    for (std::size_t k = 0; k < of_class.size(); ++k) {
+        const std::vector<const ComponentPair*>& pairs = of_class[k];
+        if (pairs.empty()) continue;
+        const auto size = static_cast<double>(pairs.size() * pairs.front()->size());
         const std::size_t order = maps.groups[k].order();
-        if (order > 1 && symmetries[k].empty()) {
-            symmetries[k] = some_symmetries(maps, *pair.kind, maps.groups[k]);
-            if (!source) source.emplace(maps.source, maps.source_mesh);
-            if (!target) target.emplace(maps.target, maps.target_mesh);
+        if (order == 1) {
+            confirmed += size;
+            continue;
         }
-        if (order == 1 || is_confirmed(*source, *target, pair, symmetries[k], order))
-            confirmed += static_cast<double>(pair.size());
+        if (!source) source.emplace(maps.source, maps.source_mesh);
+        if (!target) target.emplace(maps.target, maps.target_mesh);
+        const std::vector<Images> symmetries = some_symmetries(maps, maps.classes[k], maps.groups[k]);
+        const std::vector<std::size_t> some = evenly_spread(pairs.size(), exact_tuning.n_confirmed);
+        const auto n = std::count_if(some.begin(), some.end(), [&](std::size_t i) {
+            return is_confirmed(*source, *target, *pairs[i], symmetries, order);
+        });
+        confirmed += size * static_cast<double>(n) / static_cast<double>(some.size());
     }
     return confirmed / std::max(1, maps.source.n_triangles());
 }

@@ -219,8 +219,9 @@ class Ranking {
 }  // namespace
 
 std::vector<Images> best_automorphisms(const MatchedMaps& maps, const PairGeometry& geometry,
-                                       isomorphism::SimultaneousTraversal& traversal, ComponentPair pair,
-                                       bool reversed, const Alignment* alignment, std::size_t count) {
+                                       isomorphism::SimultaneousTraversal& traversal,
+                                       const ComponentPair& pair, bool reversed, const Alignment* alignment,
+                                       std::size_t count) {
     return Ranking(maps, geometry, pair, reversed, alignment).run(traversal, count);
 }
 

@@ -89,7 +89,8 @@ std::vector<std::size_t> evenly_spread(std::size_t size, std::size_t max);
 /// as in PairGeometry::is_better, at most `count`. The rigid error is taken after `alignment`, or after the
 /// best one for the pair itself where that is null. `traversal`: of the source with itself.
 std::vector<Images> best_automorphisms(const MatchedMaps& maps, const PairGeometry& geometry,
-                                       isomorphism::SimultaneousTraversal& traversal, ComponentPair pair,
-                                       bool reversed, const Alignment* alignment, std::size_t count);
+                                       isomorphism::SimultaneousTraversal& traversal,
+                                       const ComponentPair& pair, bool reversed, const Alignment* alignment,
+                                       std::size_t count);
 
 }  // namespace counterpart::symmetry

@@ -45,6 +45,8 @@ struct ExactTuning {
 
     /// Automorphisms that a chosen one is compared with, and triangles on which they are.
     std::size_t n_compared = 32, confirming_triangles = 2000;
+    /// Equal components of one class that are confirmed for all.
+    std::size_t n_confirmed = 16;
     /// It is confirmed by a deviation of lengths up to this share of that of the others, or by being so many
     /// times as far below theirs as the best would be by chance; and a deviation that is as good as none.
     double clear_share = 0.5, beyond_chance = 1.25, alike = 0.01;
