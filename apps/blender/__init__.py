@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Which point of this mesh is that point of the other? An extension of Blender on the package counterpart3d.
 
-`operators` are what a person presses; what they do lies in modules that know no operator: `objects` reads, `matching`
-matches, `carrier` carries numbers along the map, `carried` has one module for each kind of data.
+`operators` are what a person presses; what they do lies in modules that know no operator: `objects` and `pairs` read,
+`matching` matches, `carrier` carries numbers along the map, `carried` has one module for each kind of data.
 """
 
 import bpy

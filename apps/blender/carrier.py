@@ -13,6 +13,7 @@ from .edge_graph import EdgeGraph
 from .objects import Surface
 from .same_faces import same_faces
 from .stored_map import StoredMap
+from .torn_faces import on_one_side
 
 AFFINE = 0.005  # of the size: how far nearly all vertices may be from where an affine map takes them
 SCULPTED = 0.03  # the same of a similarity
@@ -49,7 +50,11 @@ class Carrier:
         return values[self.nearest_vertex]
 
     def face_labels(self, values: np.ndarray) -> np.ndarray:
-        return values[self.same.face if self.same else self._nearest_face]
+        if self.same:
+            return values[self.same.face]
+        if len(values) and (values == values[0]).all():  # one material, all smooth: no face needs to be found
+            return np.repeat(values[:1], len(self.selected.sizes), axis=0)
+        return values[self._nearest_face]
 
     def corner_numbers(self, values: np.ndarray) -> np.ndarray:
         """(n_active_corners, k), k from 1 to 4: no face is torn where the values jump."""
@@ -60,7 +65,7 @@ class Carrier:
         kind = "texture_coordinates" if padded.shape[1] == 2 else "colors"
         source = cp.Mesh(*self.active.mesh(), **{kind: [(padded, self.active.loops)]})
         moved = cp.transfer(source, self.selected.mesh(), source_from_target=self.points, what=[kind]).mesh
-        carried = self._on_one_side(*getattr(moved, kind)[0])
+        carried = on_one_side(self.selected, *getattr(moved, kind)[0])
         return carried[:, : values.shape[1]].astype(values.dtype)
 
     def corner_labels(self, values: np.ndarray) -> np.ndarray:
@@ -130,41 +135,6 @@ class Carrier:
     @cached_property
     def _graph(self) -> EdgeGraph:
         return EdgeGraph(self.selected)
-
-    def _on_one_side(self, values: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """From triangles' corners to faces' corners. A face with a seam along its diagonal goes to the side of its
-        largest triangle as a whole, whose values are continued in its plane."""
-        loops, surface = self.selected.loops, self.selected
-        carried = np.zeros((len(surface.corners), values.shape[1]))
-        carried[loops.ravel()] = values[rows.ravel()]
-        tolerance = 1e-5 * max(float(np.ptp(values, axis=0).max()), 1e-12)
-        differs = (np.abs(carried[loops] - values[rows]) > tolerance).any(axis=(1, 2))
-        ends = np.cumsum(surface.sizes)
-        torn = set(surface.face_of_triangle[differs].tolist())
-        for face, triangles in _triangles_of(surface.face_of_triangle, torn).items():
-            corners = surface.vertices[surface.triangles[triangles]]
-            areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-            anchor = triangles[int(areas.argmax())]
-            of_face = np.arange(ends[face] - surface.sizes[face], ends[face])
-            weights = _barycentric(
-                surface.vertices[surface.triangles[anchor]], surface.vertices[surface.corners[of_face]]
-            )
-            carried[of_face] = weights @ values[rows[anchor]]
-        return carried
-
-
-def _triangles_of(face_of_triangle: np.ndarray, faces: set[int]) -> dict[int, list[int]]:
-    found: dict[int, list[int]] = {face: [] for face in faces}
-    for triangle in np.flatnonzero(np.isin(face_of_triangle, list(faces))).tolist():
-        found[int(face_of_triangle[triangle])].append(triangle)
-    return found
-
-
-def _barycentric(triangle: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Weights of points in the plane of a triangle, (n, 3), each row of sum 1."""
-    sides = (triangle[1:] - triangle[0]).T
-    weights = np.linalg.lstsq(sides, (points - triangle[0]).T, rcond=None)[0].T
-    return np.column_stack([1 - weights.sum(axis=1), weights])
 
 
 def _column(mask: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ import textwrap
 import bpy
 
 from .landmarks import landmark_names
-from .matching import facts
+from .pairs import facts
 from .stored_map import VERTEX, said_of_map
 
 ICONS = {"use": "CHECKMARK", "check": "QUESTION", "do not use": "ERROR"}

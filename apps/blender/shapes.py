@@ -7,8 +7,8 @@ from __future__ import annotations
 import counterpart3d as cp
 import numpy as np
 
-from .matching import Pair
 from .objects import Surface
+from .pairs import Pair
 from .stored_map import StoredMap
 
 PLACES = (

@@ -34,8 +34,8 @@ class StoredMap:
     confidence : (n_selected,) float32, 0 .. 1
     runner_up : (n_selected,) int32, as `vertex`, or None
     active : the name of the active object
-    question : what was asked, to know whether it is still the same: see `matching.question`
-    facts : of the question what is known at once: see `matching.facts`
+    question : what was asked, to know whether it is still the same: see `pairs.question`
+    facts : of the question what is known at once: see `pairs.facts`
     options : those that were chosen, in words
     method, verdict, reason, notices : see cp.MatchResult; the last two as sentences
     """

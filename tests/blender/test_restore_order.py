@@ -80,7 +80,7 @@ def test_other_meshes_are_refused(hero):
     other = c.remeshed(hero, "Other")
     before = digest(other)
     c.only(hero, other)
-    with pytest.raises(RuntimeError, match=r"has not the same vertices as 'Hero'.*Fit"):
+    with pytest.raises(RuntimeError, match=r"does not have the same vertices as 'Hero'.*Fit"):
         bpy.ops.counterpart.restore_order()
     assert differences({"": before}, {"": digest(other)}) == []
 

@@ -14,6 +14,7 @@ from counterpart_extension.job import Job
 from counterpart_extension.operators.with_map import WithMap
 from counterpart_extension.stored_map import stored
 from digest import differences, everything
+from mathutils import Matrix
 
 OPERATORS = {
     "match": {},
@@ -71,8 +72,19 @@ def test_a_kept_map_goes_with_other_faces(hero, monkeypatch):
     asked = []
     monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", lambda pair: asked.append(pair) or 1 / 0)
     with pytest.raises(RuntimeError, match="ZeroDivisionError"):
-        bpy.ops.counterpart.match()
+        bpy.ops.counterpart.transfer()
     assert len(asked) == 1 and len(asked[0].landmarks) == 1
+
+
+def test_match_matches_again(hero):
+    """What was kept is of the place where the object stood, or of the shape that it had."""
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    before = stored(other.data)
+    other.data.transform(Matrix.Translation((0.01, 0, 0)))
+    bpy.ops.counterpart.match()
+    assert not np.array_equal(before.points.weights, stored(other.data).points.weights)
 
 
 class Pressed(WithMap):
@@ -183,9 +195,19 @@ def test_one_that_is_refused_stops_all(hero):
     second = c.remeshed(hero, "Second")
     before = everything()
     c.only(hero, first, second)
-    with pytest.raises(RuntimeError, match="'Second' has not the same vertices"):
+    with pytest.raises(RuntimeError, match="'Second' does not have the same vertices"):
         bpy.ops.counterpart.restore_order()
     assert differences(before, everything()) == []
+
+
+@pytest.mark.parametrize("scale", [(0, 0, 0), (1, 0, 0)])
+def test_a_mesh_without_area_is_refused(hero, scale):
+    other = c.decimated(hero, "Other", 0.1)
+    other.data.transform(Matrix.Diagonal((*scale, 1)))
+    for order in ((hero, other), (other, hero)):
+        c.only(*order)
+        with pytest.raises(RuntimeError, match="The faces of 'Other' have no area"):
+            bpy.ops.counterpart.transfer(rig=False)
 
 
 @pytest.fixture

@@ -34,17 +34,20 @@ def carried(active, selected, carrier: Carrier, max_influences: int = 0) -> Writ
 def read_weights(obj) -> tuple[list[str], np.ndarray]:
     """Names of the groups, and weights (n_vertices, n_groups); without landmarks."""
     groups = [group for group in obj.vertex_groups if not is_landmark(group.name)]
-    column = {group.index: i for i, group in enumerate(groups)}
-    entries = [
-        (vertex.index, column[element.group], element.weight)
-        for vertex in obj.data.vertices
-        for element in vertex.groups
-        if element.group in column
-    ]
-    weights = np.zeros((len(obj.data.vertices), len(groups)), np.float32)
-    if entries:
-        rows, columns, values = zip(*entries, strict=True)
-        weights[list(rows), list(columns)] = values
+    column = np.full(len(obj.vertex_groups) + 1, -1)  # the last one: for groups that the object does not have
+    column[[group.index for group in groups]] = np.arange(len(groups))
+    elements = [vertex.groups for vertex in obj.data.vertices]
+    counts = np.fromiter(map(len, elements), np.int64, len(elements))
+    index, values = np.empty(counts.sum(), np.int32), np.empty(counts.sum(), np.float32)
+    end = 0
+    for count, of_vertex in zip(counts.tolist(), elements, strict=True):
+        if count:
+            begin, end = end, end + count
+            of_vertex.foreach_get("group", index[begin:end])
+            of_vertex.foreach_get("weight", values[begin:end])
+    weights = np.zeros((len(elements), len(groups)), np.float32)
+    rows, columns = np.repeat(np.arange(len(elements)), counts), column[np.minimum(index, len(column) - 1)]
+    weights[rows[columns >= 0], columns[columns >= 0]] = values[columns >= 0]
     return [group.name for group in groups], weights
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..carried.shape_keys import displacements, moved_displacements
 from ..carrier import Carrier
-from ..matching import Pair
+from ..pairs import Pair
 from ..shapes import PLACES, active_in_shape_of, placed
 from ..stored_map import unmoved
 from ..writing import add_shape_key, moved_copy

@@ -15,6 +15,7 @@ class COUNTERPART_OT_match(WithMap, bpy.types.Operator):
     bl_idname = "counterpart.match"
     bl_label = "Match"
     trusts = False
+    uses_kept = False  # whoever presses it again has sculpted or moved something
 
     def prepare(self, context, pair, found):
         return lambda: []  # the base keeps the map

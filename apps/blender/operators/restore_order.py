@@ -11,8 +11,8 @@ import numpy as np
 
 from ..carried.rig import bound_to, keeps_order
 from ..landmarks import landmark_pairs
-from ..matching import question
 from ..objects import Refused, read_surface
+from ..pairs import question
 from ..reordering import renumber
 from ..same_faces import same_faces
 from ..stored_map import points_at_vertices, store
@@ -29,9 +29,9 @@ class COUNTERPART_OT_restore_order(WithMap, bpy.types.Operator):
         obj = pair.selected_object
         if not found.is_one_to_one:
             raise Refused(
-                f"'{obj.name}' has not the same vertices as '{pair.active_object.name}' "
+                f"'{obj.name}' does not have the same vertices as '{pair.active_object.name}' "
                 f"({len(pair.selected.vertices)} and {len(pair.active.vertices)}, matched as {found.method}): "
-                "'Fit' gives it the active's mesh"
+                "'Fit' gives it the active object's mesh"
             )
         require_no_numbers(obj)
         same = same_faces(pair.active, pair.selected, found.vertex)

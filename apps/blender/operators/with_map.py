@@ -8,14 +8,16 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable
 from contextlib import contextmanager
+from dataclasses import replace
 
 import bpy
 import counterpart3d as cp
 
 from ..job import Job
 from ..landmarks import not_paired
-from ..matching import Options, Pair, match_pair, read_pair
-from ..objects import Refused, is_shared, require_editable
+from ..matching import match_pair, match_pairs
+from ..objects import Refused, require_editable
+from ..pairs import Options, Pair, can_be_kept, read_pair
 from ..stored_map import StoredMap, store
 
 LINE = 80  # characters of a sentence in the dialog
@@ -35,6 +37,7 @@ class WithMap:
     writes_active = False  # the active object is changed
     writes_selected = True
     trusts = True  # the result is only as good as the map: doubts are told before
+    uses_kept = True  # a map that the selected object keeps is not made again
     may_differ = False  # the modifiers of a selected object may make other vertices
 
     seen: bpy.props.BoolProperty(
@@ -136,7 +139,7 @@ class WithMap:
 
     def _start(self, context, pairs):
         self._matching = pairs
-        self._job = Job(lambda progress: _matched_pairs(pairs, progress))
+        self._job = Job(lambda progress: match_pairs(pairs, progress))
         self._timer = context.window_manager.event_timer_add(0.1, window=context.window)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
@@ -154,9 +157,7 @@ class WithMap:
     def _matched(self, context):
         """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
         found = self._job.result
-        kept = [
-            (pair, answer) for pair, answer in zip(self._matching, found, strict=True) if _can_be_kept(pair, answer)
-        ]
+        kept = [(pair, answer) for pair, answer in zip(self._matching, found, strict=True) if can_be_kept(pair, answer)]
         for pair, answer in kept:
             store(pair.selected_object.data, answer)
         bpy.ops.ed.undo_push(message="Match")
@@ -182,7 +183,8 @@ class WithMap:
                 require_editable(obj)
         options = Options(seen=self.seen, aligned=self.aligned, part=self.part)
         depsgraph = context.evaluated_depsgraph_get()
-        return [read_pair(active, obj, options, depsgraph, may_differ=self.may_differ) for obj in others]
+        pairs = [read_pair(active, obj, options, depsgraph, may_differ=self.may_differ) for obj in others]
+        return pairs if self.uses_kept else [replace(pair, kept=None) for pair in pairs]
 
     def _finish(self, context, pairs: list[Pair], found: list[StoredMap]):
         for pair, answer in zip(pairs, found, strict=True):
@@ -219,26 +221,7 @@ class WithMap:
             self.report({"ERROR"}, str(error))
 
 
-def _can_be_kept(pair: Pair, found: StoredMap) -> bool:
-    """Not of vertices that modifiers make, nor in the data of another file or of other objects."""
-    mesh = pair.selected_object.data
-    return mesh.library is None and not is_shared(mesh) and len(found.vertex) == len(mesh.vertices)
-
-
 def _unused_landmarks(pairs: list[Pair]) -> list[str]:
     """Told when a map is made, not each time that it is used."""
     sentences = [not_paired(pair.active_object, pair.selected_object) for pair in pairs if pair.kept is None]
     return [sentence for sentence in sentences if sentence]
-
-
-def _matched_pairs(pairs: list[Pair], progress: Callable[[float], bool]) -> list[StoredMap]:
-    missing = sum(pair.kept is None for pair in pairs)
-    found: list[StoredMap] = []
-    done = 0
-    for pair in pairs:
-        if pair.kept is not None:
-            found.append(pair.kept)
-            continue
-        found.append(match_pair(pair, lambda fraction, done=done: progress((done + fraction) / missing)))
-        done += 1
-    return found
