@@ -71,7 +71,8 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
             f"The landmarks of '{selected.name}' are not on the vertices that its modifiers make: apply those first"
         )
     kept = stored(selected.data)
-    if kept is not None and kept.question != question(surfaces[active], surfaces[selected], pairs, options):
+    asked = question(surfaces[active], surfaces[selected], pairs, options)
+    if kept is not None and (kept.question != asked or not kept.fits(surfaces[active])):
         kept = None
     return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, facts(active, selected), kept)
 

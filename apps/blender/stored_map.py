@@ -18,7 +18,8 @@ from .objects import Surface, numbers
 
 VERTEX, TRIANGLE, WEIGHTS = "counterpart", "counterpart_triangle", "counterpart_weights"
 CONFIDENCE, RUNNER_UP = "counterpart_confidence", "counterpart_runner_up"
-NAMES = (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE, RUNNER_UP)
+KINDS = {VERTEX: "INT", TRIANGLE: "INT", WEIGHTS: "FLOAT_VECTOR", CONFIDENCE: "FLOAT", RUNNER_UP: "INT"}
+NAMES = tuple(KINDS)
 PROPERTY = "counterpart"
 SAID = ("active", "question", "facts", "options", "method", "verdict", "reason", "notices")
 
@@ -64,6 +65,13 @@ class StoredMap:
         at_vertices = (self.points.triangle < 0) | (self.points.weights.max(axis=1) == 1)
         return bool(at_vertices.all()) and np.array_equal(ordered, np.arange(len(ordered)))
 
+    def fits(self, active: Surface) -> bool:
+        """All that it names exists: a file may hold anything."""
+        named = [(self.vertex, len(active.vertices)), (self.points.triangle, len(active.triangles))]
+        if self.runner_up is not None:
+            named.append((self.runner_up, len(active.vertices)))
+        return all(len(indices) == 0 or (indices.min() >= -1 and indices.max() < n) for indices, n in named)
+
 
 def points_at_vertices(active: Surface, vertex: np.ndarray) -> cp.SurfaceMap:
     """Each vertex as a corner of one of its triangles; unmatched where it has none."""
@@ -90,12 +98,12 @@ def store(mesh, found: StoredMap) -> None:
     """Only where the map is one of the mesh's vertices: not of those that modifiers make."""
     if len(found.vertex) != len(mesh.vertices):
         return
-    _write(mesh, VERTEX, "INT", "value", found.vertex)
-    _write(mesh, TRIANGLE, "INT", "value", found.points.triangle)
-    _write(mesh, WEIGHTS, "FLOAT_VECTOR", "vector", found.points.weights.astype(np.float32).ravel())
-    _write(mesh, CONFIDENCE, "FLOAT", "value", found.confidence)
+    _write(mesh, VERTEX, found.vertex)
+    _write(mesh, TRIANGLE, found.points.triangle)
+    _write(mesh, WEIGHTS, found.points.weights.astype(np.float32).ravel())
+    _write(mesh, CONFIDENCE, found.confidence)
     if found.runner_up is not None:
-        _write(mesh, RUNNER_UP, "INT", "value", found.runner_up)
+        _write(mesh, RUNNER_UP, found.runner_up)
     elif RUNNER_UP in mesh.attributes:
         mesh.attributes.remove(mesh.attributes[RUNNER_UP])
     mesh[PROPERTY] = {name: getattr(found, name) for name in SAID}
@@ -104,7 +112,7 @@ def store(mesh, found: StoredMap) -> None:
 def stored(mesh) -> StoredMap | None:
     """What the mesh keeps, whether or not it still holds."""
     said = said_of_map(mesh)
-    if said is None or any(name not in mesh.attributes for name in (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE)):
+    if said is None or any(not _has(mesh, name) for name in (VERTEX, TRIANGLE, WEIGHTS, CONFIDENCE)):
         return None
     weights = numbers(mesh.attributes[WEIGHTS].data, "vector", (-1, 3)).astype(np.float64)
     sums = weights.sum(axis=1, keepdims=True)
@@ -112,7 +120,7 @@ def stored(mesh) -> StoredMap | None:
         _read(mesh, VERTEX, np.int32),
         cp.SurfaceMap(_read(mesh, TRIANGLE, np.int32), weights / np.where(sums > 0, sums, 1)),
         _read(mesh, CONFIDENCE, np.float32),
-        _read(mesh, RUNNER_UP, np.int32) if RUNNER_UP in mesh.attributes else None,
+        _read(mesh, RUNNER_UP, np.int32) if _has(mesh, RUNNER_UP) else None,
         **said,
     )
 
@@ -125,15 +133,18 @@ def said_of_map(mesh) -> dict[str, str] | None:
     return {name: str(said[name]) for name in SAID}
 
 
+def _has(mesh, name: str) -> bool:
+    """As it was written, and not something of a person's under the same name."""
+    attribute = mesh.attributes.get(name)
+    return attribute is not None and (attribute.domain, attribute.data_type) == ("POINT", KINDS[name])
+
+
 def _read(mesh, name: str, dtype) -> np.ndarray:
     return numbers(mesh.attributes[name].data, "value", (-1,), dtype)
 
 
-def _write(mesh, name: str, kind: str, value: str, values: np.ndarray) -> None:
-    attribute = mesh.attributes.get(name)
-    if attribute is not None and (attribute.domain, attribute.data_type) != ("POINT", kind):
-        mesh.attributes.remove(attribute)
-        attribute = None
-    if attribute is None:
-        attribute = mesh.attributes.new(name, kind, "POINT")
-    attribute.data.foreach_set(value, values)
+def _write(mesh, name: str, values: np.ndarray) -> None:
+    if name in mesh.attributes and not _has(mesh, name):
+        mesh.attributes.remove(mesh.attributes[name])
+    attribute = mesh.attributes.get(name) or mesh.attributes.new(name, KINDS[name], "POINT")
+    attribute.data.foreach_set("vector" if KINDS[name] == "FLOAT_VECTOR" else "value", values)

@@ -87,6 +87,23 @@ def test_match_matches_again(hero):
     assert not np.array_equal(before.points.weights, stored(other.data).points.weights)
 
 
+@pytest.mark.parametrize("name", ["counterpart", "counterpart_triangle"])
+def test_a_kept_map_that_names_nothing_is_made_again(hero, name):
+    """Whoever wrote it into the file."""
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    before = stored(other.data)
+    values = np.full(len(other.data.vertices), 1 << 30, np.int32)
+    other.data.attributes[name].data.foreach_set("value", values)
+    assert bpy.ops.counterpart.show(what="MAP") == {"FINISHED"}
+    assert np.array_equal(before.vertex, stored(other.data).vertex)
+    other.data.attributes.remove(other.data.attributes[name])
+    other.data.attributes.new(name, "FLOAT", "FACE")
+    assert bpy.ops.counterpart.show(what="MAP") == {"FINISHED"}
+    assert np.array_equal(before.points.triangle, stored(other.data).points.triangle)
+
+
 class Pressed(WithMap):
     """An operator as a person presses it, without a window: what Blender does is done by hand."""
 
