@@ -12,11 +12,14 @@
 // none either: where the whole's vertices outnumber the part's, several share one), only=SUBSTRING of the
 // pair, swap=1 (match target to source), kept=SHARE (the source's triangles are made anew, with this share of
 // its vertices), by=connectivity (find_differences in place of match_partial) or automatic (match),
-// fill=EDGES (see CompleteOptions). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 /
-// sqrt(target area); the last line on stdout is the summary.
+// fill=EDGES (see CompleteOptions), crossed=1 (two parts of one whole: a line's source to that of the next
+// line with the same target), known=N (landmarks: N pairs of the truth, spread out), seed=N (which way
+// sources are turned). One JSON line per pair goes to RESULTS. Errors are geodesic, times 100 / sqrt(target
+// area); the last line on stdout is the summary.
 #include "base/random.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
+#include <counterpart/geodesic/farthest_points.hpp>
 #include <counterpart/io/map_file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/map/complete.hpp>
@@ -30,6 +33,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <map>
 #include <string>
@@ -114,16 +118,55 @@ VertexMap filled(const VertexMap& map, const TriangleMesh& source, const Triangl
     return complete_map(map, source, target, {.max_edges = max_edges});
 }
 
-Json measure(const fs::path& folder, const std::string& a, const std::string& b, std::uint64_t seed,
-             const Settings& settings, int n_threads) {
+// The true map to `b`: given, or that of both to the whole of which they are parts.
+VertexMap true_map(const fs::path& folder, const std::string& a, const std::string& b,
+                   const std::string& whole) {
+    const auto given = [&](const std::string& from, const std::string& to) {
+        return read_vertex_map(folder / "truth" / (from + "__" + to + ".txt"));
+    };
+    if (whole.empty()) return given(a, b);
+    const Index n = read_mesh(folder / (whole + ".off")).mesh.n_vertices();
+    return compose_maps(given(a, whole), invert(VertexMap(given(b, whole).image(), n)));
+}
+
+// Pairs of the truth, far from each other.
+std::vector<std::pair<Index, Index>> known_pairs(const TriangleMesh& source, const VertexMap& truth, int n) {
+    std::vector<std::pair<Index, Index>> pairs;
+    if (n == 0) return pairs;
+    for (const Index v : farthest_point_samples(source, DistanceGraph(source), {.count = 20 * n}).vertices)
+        if (truth[v] >= 0 && static_cast<int>(pairs.size()) < n) pairs.emplace_back(v, truth[v]);
+    return pairs;
+}
+
+struct NamedPair {
+    std::string source, target, whole;  // `whole`: of which both are parts; empty: the truth is given
+    std::uint64_t number = 0;
+};
+
+std::vector<NamedPair> named_pairs(const fs::path& folder, bool crossed) {
+    std::ifstream lines(folder / "pairs.txt");
+    std::vector<NamedPair> given, found;
+    for (std::string a, b; lines >> a >> b;) given.push_back({a, b, "", given.size()});
+    if (!crossed) return given;
+    for (std::size_t i = 1; i < given.size(); ++i)
+        if (given[i - 1].target == given[i].target)
+            found.push_back({given[i - 1].source, given[i].source, given[i].target, found.size()});
+    return found;
+}
+
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Json measure(const fs::path& folder, const NamedPair& names, const Settings& settings, int n_threads) {
+    const auto& [a, b, whole, number] = names;
     const auto setting = [&](const std::string& key, const std::string& otherwise) {
         const auto found = settings.find(key);
         return found == settings.end() ? otherwise : found->second;
     };
+    const std::uint64_t seed = number + 1 + 1000 * std::stoull(setting("seed", "0"));
     TriangleMesh source = turned(read_mesh(folder / (a + ".off")).mesh, seed);
     TriangleMesh target = read_mesh(folder / (b + ".off")).mesh;
     source.vertices *= std::stod(setting("times", "1"));
-    VertexMap truth = read_vertex_map(folder / "truth" / (a + "__" + b + ".txt"));
+    VertexMap truth = true_map(folder, a, b, whole);
     if (const double kept = std::stod(setting("kept", "0")); kept > 0) {
         RetriangulateResult other = retriangulate(source, {.kept_share = kept, .seed = seed});
         source = std::move(other.mesh);
@@ -138,12 +181,15 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
         beside_partners(source, truth, setting("unpaired", "none") == "inner");
     PartialOptions options{.part = part_named(setting("part", "unknown")), .n_threads = n_threads};
     options.same_scale = setting("scale", "same") == "same";
+    options.landmarks = known_pairs(source, truth, std::stoi(setting("known", "0")));
     Stopwatch watch;
+    const double cpu_before = cpu_seconds();
     const std::string by = setting("by", "geometry");
     PartialResult result = by == "connectivity" ? by_connectivity(source, target, n_threads)
                            : by == "automatic"  ? by_automatic(source, target, options)
                                                 : match_partial(source, target, options);
     watch.lap("match");
+    const double cpu = cpu_seconds() - cpu_before;
     result.target_from_source =
         filled(result.target_from_source, source, target, std::stoi(setting("fill", "0")));
 
@@ -177,7 +223,8 @@ Json measure(const fs::path& folder, const std::string& a, const std::string& b,
                  {"part", to_string(result.part)},
                  {"scale", result.scale},
                  {"severity", to_string(gravest(result.messages))},
-                 {"seconds", watch.stages()[0].seconds}};
+                 {"seconds", watch.stages()[0].seconds},
+                 {"cpu_seconds", cpu}};
     for (const PartialAlternative& other : result.alternatives)
         line["alternatives"].push_back(
             {other.score, mean_error(other.target_from_source, truth, target, nullptr)});
@@ -194,7 +241,8 @@ double middle(std::vector<double> values) {
 void print_summary(const std::string& name, const std::vector<Json>& lines) {
     std::map<std::string, std::vector<double>> columns;
     for (const Json& line : lines)
-        for (const char* key : {"mean_error", "missed", "invented", "iou", "seconds", "confidence", "score"})
+        for (const char* key :
+             {"mean_error", "missed", "invented", "iou", "seconds", "cpu_seconds", "confidence", "score"})
             if (line[key].is_number()) columns[key].push_back(line[key]);
     const auto mean = [&](const char* key) {
         double sum = 0;
@@ -215,7 +263,8 @@ void print_summary(const std::string& name, const std::vector<Json>& lines) {
                           {"invented", mean("invented")},
                           {"iou", mean("iou")},
                           {"confidence", mean("confidence")},
-                          {"median_seconds", middle(columns["seconds"])}};
+                          {"median_seconds", middle(columns["seconds"])},
+                          {"median_cpu_seconds", middle(columns["cpu_seconds"])}};
     std::printf("%s\n", summary.dump().c_str());
 }
 
@@ -236,14 +285,12 @@ int main(int argc, char** argv) {
         const auto equals = text.find('=');
         if (equals != std::string::npos) settings[text.substr(0, equals)] = text.substr(equals + 1);
     }
-    std::ifstream pairs(folder / "pairs.txt");
     std::ofstream out(argv[2]);
     std::vector<Json> lines;
-    std::uint64_t number = 0;
-    for (std::string a, b; pairs >> a >> b; ++number) {
-        if ((half == "dev" && number % 2 == 1) || (half == "test" && number % 2 == 0)) continue;
-        if ((a + " " + b).find(settings["only"]) == std::string::npos) continue;
-        lines.push_back(measure(folder, a, b, number + 1, settings, n_threads));
+    for (const NamedPair& pair : named_pairs(folder, settings["crossed"] == "1")) {
+        if ((half == "dev" && pair.number % 2 == 1) || (half == "test" && pair.number % 2 == 0)) continue;
+        if ((pair.source + " " + pair.target).find(settings["only"]) == std::string::npos) continue;
+        lines.push_back(measure(folder, pair, settings, n_threads));
         out << lines.back().dump() << std::endl;
     }
     print_summary(folder.filename().string() + " " + half, lines);
