@@ -126,7 +126,8 @@ VertexMap true_map(const fs::path& folder, const std::string& a, const std::stri
     };
     if (whole.empty()) return given(a, b);
     const Index n = read_mesh(folder / (whole + ".off")).mesh.n_vertices();
-    return compose_maps(given(a, whole), invert(VertexMap(given(b, whole).image(), n)));
+    const auto to_whole = [&](const std::string& part) { return VertexMap(given(part, whole).image(), n); };
+    return compose_maps(to_whole(a), invert(to_whole(b)));
 }
 
 // Pairs of the truth, far from each other.
