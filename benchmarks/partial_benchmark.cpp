@@ -219,6 +219,7 @@ Json measure(const fs::path& folder, const NamedPair& names, const Settings& set
                  {"iou", static_cast<double>(common) / std::max(paired + invented, 1)},
                  {"overlap", static_cast<double>(paired) / std::max(source.n_vertices(), 1)},
                  {"confidence", common > 0 ? sure_sum / common : 0},
+                 {"invented_confidence", invented > 0 ? doubt_sum / invented : 0},
                  {"score", result.score},
                  {"margin", std::min(result.margin, 9.0)},
                  {"part", to_string(result.part)},

@@ -7,6 +7,7 @@
 #include "match/partial/fused.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
+#include "match/partial/race.hpp"
 #include "match/partial/requests.hpp"
 #include "match/partial/roles.hpp"
 #include "match/spectral/priors.hpp"
@@ -69,8 +70,9 @@ class PartialMatching {
         if (!options_.same_scale) rescale(progress_.part(measured, scaled));
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
+        const auto& ways = part_is_covered() ? fits : fits_of_parts;
         std::vector<Fit> found =
-            fits(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.9));
+            ways(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.9));
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
         rank(found, *part_, *whole_, requests(), tuning_.requests);
         take(found, finish(pair, found.front().bent, part_is_covered(), tuning_, progress_.part(0.9, 0.98)));
@@ -133,8 +135,10 @@ class PartialMatching {
         const bool two_parts = result_.part == Part::both;
         const double least = std::sqrt(two_parts ? 1 / tuning.max_ratio : tuning.min_share),
                      most = std::sqrt(two_parts ? tuning.max_ratio : tuning.max_share);
-        const double factor = find_scale(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
-                                         least, most, tuning_, options_.seed, progress);
+        const auto n_landmarks = static_cast<Index>(options_.landmarks.size());
+        const double factor = two_parts ? scale_of_parts(*part_, *whole_, n_landmarks, least, most, tuning_)
+                                        : find_scale(*part_, *whole_, n_landmarks, least, most, tuning_,
+                                                     options_.seed, progress);
         part_ = rescaled(*part_, factor, tuning_.surface);
         scale_ *= factor;
         watch_.lap("scale");
@@ -174,14 +178,15 @@ class PartialMatching {
                 {target_from_source(partners(*part_, *whole_, found[i].bent, part_is_covered(),
                                              tuning_.overlap, tuning_.islands)),
                  found[i].score, share_moved(found[0].bent, found[i].bent, *whole_, tuning_.confidence)});
-        const Vector of_part_vertices =
-            confidence(*part_, *whole_, found, finished.misfit, tuning_.confidence);
+        const ConfidenceTuning& trust = part_is_covered() ? tuning_.confidence : tuning_.part_confidence;
+        const Finish finish{finished.misfit, part_is_covered() ? 1 : std::max(part_share, whole_share)};
+        const Vector of_part_vertices = confidence(*part_, *whole_, found, finish, trust);
         result_.confidence.resize(result_.target_from_source.source_size());
         for (Index v = 0; v < result_.confidence.size(); ++v) {
             const Index own = source_.matched_of_input[static_cast<std::size_t>(v)];
             const Index on_part = bends_source_ ? own : best.part_from_whole[static_cast<std::size_t>(own)];
             result_.confidence[v] = result_.target_from_source[v] == VertexMap::unmatched
-                                        ? whole_confidence(found.front(), finished.misfit, tuning_.confidence)
+                                        ? whole_confidence(found.front(), finish, trust)
                                         : of_part_vertices[on_part];
         }
         result_.messages =

@@ -49,9 +49,13 @@ double mean_of_matched(const PartialResult& result) {
 
 }  // namespace
 
-double whole_confidence(const Fit& fit, double misfit, const ConfidenceTuning& tuning) {
-    const double alike = 1 / (1 + std::exp(-(fit.score - tuning.half_score) / tuning.score_width));
-    return alike / (1 + std::exp((misfit - tuning.half_misfit) / tuning.misfit_width));
+double whole_confidence(const Fit& fit, const Finish& finish, const ConfidenceTuning& tuning) {
+    const auto above = [](double x, double half, double width) {
+        return 1 / (1 + std::exp((half - x) / width));
+    };
+    return above(fit.score, tuning.half_score, tuning.score_width) *
+           above(-finish.misfit, -tuning.half_misfit, tuning.misfit_width) *
+           above(finish.share, tuning.half_share, tuning.share_width);
 }
 
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
@@ -62,10 +66,10 @@ double share_moved(const BentSource& a, const BentSource& b, const Surface& whol
     return static_cast<double>(moved) / static_cast<double>(a.image.size());
 }
 
-Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
-                  const ConfidenceTuning& tuning) {
+Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found,
+                  const Finish& finish, const ConfidenceTuning& tuning) {
     const Fit& best = found.front();
-    const double all = whole_confidence(best, misfit, tuning);
+    const double all = whole_confidence(best, finish, tuning);
     Vector result(part.mesh.n_vertices());
     for (Index v = 0; v < part.mesh.n_vertices(); ++v) {
         const auto i = static_cast<std::size_t>(v);

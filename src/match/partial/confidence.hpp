@@ -11,8 +11,14 @@
 
 namespace counterpart::partial_match {
 
+/// What a finished fit looks like.
+struct Finish {
+    double misfit = 0;  ///< see PartnerMaps
+    double share = 1;   ///< of the area that has partners: the larger of both meshes'
+};
+
 /// Of a fit as a whole, in [0, 1].
-double whole_confidence(const Fit& fit, double misfit, const ConfidenceTuning& tuning);
+double whole_confidence(const Fit& fit, const Finish& finish, const ConfidenceTuning& tuning);
 
 /// Share of the part's samples that two fits take to different places.
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
@@ -20,8 +26,8 @@ double share_moved(const BentSource& a, const BentSource& b, const Surface& whol
 
 /// Of each vertex of the part, of the first fit before it is finished: the confidence of the whole, whether
 /// the other fits agree, and how near the vertex came to its image.
-Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found, double misfit,
-                  const ConfidenceTuning& tuning);
+Vector confidence(const Surface& part, const Surface& whole, const std::vector<Fit>& found,
+                  const Finish& finish, const ConfidenceTuning& tuning);
 
 /// The best other way in which the part fits that takes a noticeable share of it elsewhere.
 struct Elsewhere {

@@ -62,7 +62,15 @@ struct OneWayFit::State {
     }
 };
 
-// Bent already (then each vertex has an image), or at its images, each trusted alike but for those on
+void OneWayFit::find_images(BentSource& bent) const {
+    bent.image.resize(static_cast<std::size_t>(bent.positions.rows()));
+    parallel_for(bent.image.size(), 64, [&](std::size_t v) {
+        const auto row = static_cast<Eigen::Index>(v);
+        bent.image[v] = on_target_.closest(bent.positions.row(row), bent.normals.row(row));
+    });
+}
+
+// Bent already, or at its images, each trusted alike but for those on
 // boundaries.
 OneWayFit::State OneWayFit::start_state(FitStart start) const {
     State state{
@@ -73,6 +81,7 @@ OneWayFit::State OneWayFit::start_state(FitStart start) const {
     const bool is_bent = bent.positions.rows() > 0;
     if (is_bent) {
         bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
+        if (bent.image.empty()) find_images(bent);
         state.trust = trust_in(bent, target_, tuning_);
     } else {
         for (Eigen::Index v = 0; v < state.trust.size(); ++v) {
@@ -99,10 +108,7 @@ BentSource OneWayFit::operator()(FitStart start, const ProgressRange& progress) 
             fit(towards, state.trust.cwiseProduct(laplacian_.mass) / (length * length), bent.positions,
                 round == 0 ? tuning_.n_first_iterations : tuning_.n_iterations, progress);
         bent.normals = vertex_normals({bent.positions, source_.mesh.triangles});
-        parallel_for(bent.image.size(), 64, [&](std::size_t v) {
-            const auto row = static_cast<Eigen::Index>(v);
-            bent.image[v] = on_target_.closest(bent.positions.row(row), bent.normals.row(row));
-        });
+        find_images(bent);
         state.trust = trust_in(bent, target_, tuning_);
         state.apply_known(tuning_);
         progress.reach((round + 1.0) / tuning_.n_rounds);

@@ -22,7 +22,7 @@ struct BentSource {
 
 /// Where the source starts, and what is known of it.
 struct FitStart {
-    std::vector<Index> image;  ///< of each source vertex; -1 = none
+    std::vector<Index> image;  ///< of each source vertex; -1 = none. Empty: the closest to `positions`
     /// Source and target vertices: images of each other in the end.
     std::vector<std::pair<Index, Index>> pins;
     std::vector<char> pulls{};  ///< whether each source vertex pulls; empty: all do
@@ -42,6 +42,7 @@ class OneWayFit {
   private:
     struct State;
     State start_state(FitStart start) const;
+    void find_images(BentSource& bent) const;
 
     const Surface &source_, &target_;
     FitTuning tuning_;

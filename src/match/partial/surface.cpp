@@ -3,7 +3,9 @@
 #include "match/partial/surface.hpp"
 
 #include "base/parallel.hpp"
+#include "base/to_size.hpp"
 #include "geodesic/finite_distance_rows.hpp"
+#include "match/spectral/proxy.hpp"
 #include "mesh/edge_table.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace counterpart::partial_match {
@@ -110,6 +113,28 @@ Surface at_first_samples(const Surface& surface, int n) {
     result.between = {surface.between.low.topLeftCorner(count, count),
                       surface.between.high.topLeftCorner(count, count)};
     result.signatures = surface.signatures.topRows(count);
+    return result;
+}
+
+CoarseSurface coarsened(const Surface& fine, Index n_vertices) {
+    CoarseSurface result{fine, {}};
+    Surface& coarse = result.surface;
+    // Copies of not much less are not worth it.
+    if (fine.mesh.n_vertices() < n_vertices + n_vertices / 2) {
+        result.coarse_of_fine.resize(to_size(fine.mesh.n_vertices()));
+        std::iota(result.coarse_of_fine.begin(), result.coarse_of_fine.end(), 0);
+        return result;
+    }
+    spectral_match::Proxy proxy = spectral_match::make_proxy(fine.mesh, n_vertices);
+    const std::vector<Index>& kept = proxy.full_of_proxy;
+    coarse.mesh = std::move(proxy.mesh);
+    coarse.normals = fine.normals(kept, Eigen::all);
+    coarse.on_boundary.assign(kept.size(), 0);
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(coarse.mesh)))
+        coarse.on_boundary[to_size(v)] = coarse.on_boundary[to_size(w)] = 1;
+    coarse.rows = fine.rows(Eigen::all, kept);
+    for (Index& v : coarse.samples) v = proxy.cell_of_full[to_size(v)];
+    result.coarse_of_fine = std::move(proxy.cell_of_full);
     return result;
 }
 

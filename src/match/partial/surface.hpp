@@ -55,6 +55,14 @@ struct Surface {
 /// `rows`.
 Surface at_first_samples(const Surface& surface, int n);
 
+/// The same surface on about `n_vertices` of its vertices, with what bending it needs: without SHOT at
+/// vertices.
+struct CoarseSurface {
+    Surface surface;
+    std::vector<Index> coarse_of_fine;
+};
+CoarseSurface coarsened(const Surface& fine, Index n_vertices);
+
 /// The same surface, `factor` times as large: what distances need not be measured again for.
 Surface rescaled(const Surface& surface, double factor, const SurfaceTuning& tuning);
 

@@ -62,6 +62,20 @@ struct AnchoringTuning {
     double max_difference = 0.12, near_length = 0.03;
 };
 
+/// Step 2b, the part laid onto the other as a whole.
+struct PlacementTuning {
+    double cell = 0.03, margin = 0.2;  ///< of the grids in which the nearest vertices are looked up
+    int n_points = 225;                ///< of each surface, that ask for what is nearest on the other
+    int n_first_points = 60;           ///< the same, before ICP
+    int n_from = 40, n_to = 150, n_angles = 16;  ///< samples laid on samples, turned about the normal
+    double gap = 0.06;                           ///< standard deviation
+    double misfit_weight = 0.7;
+    double landmark_weight = 1, far = 0.5;  ///< of what landmarks are apart, at most
+    int n_settled = 600, n_icp_rounds = 15;
+    double same_place = 0.12;
+    int n_placements = 10;
+};
+
 /// Steps 5 and 8, the source bent onto the target.
 struct FitTuning {
     int n_rounds = 8, n_first_iterations = 12, n_iterations = 4;
@@ -114,6 +128,8 @@ struct ConfidenceTuning {
     /// Difference of totals at which a runner-up counts 1 / e. Where it is below 0.05, one map in two is
     /// wrong; 0.02 tried.
     double temperature = 0.05;
+    /// Of the larger share of a mesh that has partners; if one is covered by the other, it is 1.
+    double half_share = 0, share_width = 0.04;
     double same_place = 0.15;  ///< images closer than this agree
     double gap_length = 0.05;  ///< between a vertex and its image, at which confidence falls to 1 / e
     /// Of two parts (see PartnerMaps): 7 pairs of cuts that do not overlap have misfits of 0.20 to 0.60,
@@ -154,14 +170,44 @@ struct ChoiceTuning {
 constexpr FitTuning pliable_fit{
     .n_rounds = 12, .n_first_iterations = 4, .first_length = 0.14, .last_length = 0.02, .robust_factor = 4};
 
+/// Of two parts: what fits, against what does not without a boundary for a reason.
+struct GainTuning {
+    double gap = 0.03;  ///< standard deviation
+    double normal_weight = 0.1;
+    double lack_weight = 0.7;
+};
+
+/// Of two parts: how many ways are tried, and on how many vertices.
+struct RaceTuning {
+    Index n_vertices = 3000;
+    std::size_t n_groups = 3, n_relabeled = 6, n_leaders = 5;  ///< the leaders are bent on all vertices
+    double likeness = 0.5;    ///< weight of SHOT's similarity where the parts fit, against 1 for the gain
+    double same_place = 0.1;  ///< mean distance of vertices at which two ways are one
+};
+
+/// Of two parts whose scales are not known: fewer placements, at each of many scales.
+struct PartScaleTuning {
+    double step = 1.2;
+    PlacementTuning placement{
+        .n_first_points = 40, .n_from = 30, .n_to = 100, .n_angles = 12, .n_settled = 300, .n_placements = 1};
+};
+
+/// Of two parts. The score is taken where they fit, and is higher than of a part that must fit as a whole:
+/// right maps of one shape have 0.71 to 0.91 (of 8), of unlike animals 0.57 to 0.79, wrong ones up to 0.78.
+/// Below a share in common of 0.3, two wrong ones in three score as right ones.
+constexpr ConfidenceTuning confidence_of_parts{.half_score = 0.77, .half_share = 0.3};
+
 struct PartialTuning {
     SurfaceTuning surface;
     ConsensusTuning consensus;
     RelabelingTuning relabeling;
     std::size_t n_fits = 3;      ///< relabeled maps that are tried out on all vertices
     double min_plausible = 0.8;  ///< of the best one's likeness times agreement
+    PlacementTuning placement;
     AnchoringTuning anchoring;
     FitTuning fit, finish = pliable_fit;
+    GainTuning gain;
+    RaceTuning race;
     OverlapTuning overlap;
     /// After step 8, where the whole shows all of the part. Whole to holes (dev), missed and invented by the
     /// largest gap: 5.4 and 12.2 % at 0.06, 6.9 and 7.4 % at 0.03, 9.4 and 5.6 % at 0.02 (and half as far
@@ -170,9 +216,10 @@ struct PartialTuning {
     OverlapTuning finished_overlap{.max_gap = 0.03};
     IslandTuning islands;
     ScaleTuning scale;
+    PartScaleTuning part_scale;
     TearTuning tear;
     ChoiceTuning choice;
-    ConfidenceTuning confidence;
+    ConfidenceTuning confidence, part_confidence = confidence_of_parts;
     spectral_match::PriorTuning requests;
     double judge_radius = 0.10;  ///< of SHOT at the images
 };
