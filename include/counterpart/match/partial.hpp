@@ -64,7 +64,7 @@ struct PartialResult {
     /// How alike the matched surfaces look, in [0, 1]: right maps reach about 0.6 and more. Of two whole
     /// surfaces the score of match_spectral.
     double score = 0;
-    double agreement = 0;  ///< of a part: how well distances agree, in [0, 1]
+    double agreement = 0;  ///< in [0, 1]; of a part, of distances; of two: what fits of all that should
     double margin = 0;     ///< over the best runner-up's score; infinite if there is none
     std::vector<PartialAlternative> alternatives;  ///< best first
     /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.

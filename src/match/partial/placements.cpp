@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 #include "base/to_size.hpp"
 #include "match/partial/gain.hpp"
-#include "numerics/nearest_neighbors.hpp"
+#include "match/partial/nearest_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,46 +17,6 @@ namespace counterpart::partial_match {
 namespace {
 
 using Vectors = Eigen::Matrix3Xf;
-
-// The vertex nearest to each cell of a grid around a surface.
-class NearestGrid {
-  public:
-    NearestGrid(const Surface& surface, double cell, double margin) : cell_(static_cast<float>(cell)) {
-        const Points& points = surface.mesh.vertices;
-        low_ = (points.colwise().minCoeff().array() - margin).matrix().transpose().cast<float>();
-        const Eigen::Vector3f high =
-            (points.colwise().maxCoeff().array() + margin).matrix().transpose().cast<float>();
-        for (int c = 0; c < 3; ++c)
-            n_[c] = std::max(1, static_cast<int>(std::ceil((high[c] - low_[c]) / cell_)));
-        nearest_.resize(to_size(n_[0] * n_[1] * n_[2]));
-        const numerics::NearestNeighbors tree(points);
-        parallel_for(to_size(n_[0]), 1, [&](std::size_t i) {
-            for (int j = 0; j < n_[1]; ++j)
-                for (int k = 0; k < n_[2]; ++k) {
-                    const Eigen::Vector3f center =
-                        low_ + cell_ * (Eigen::Vector3f(static_cast<float>(i), static_cast<float>(j),
-                                                        static_cast<float>(k)) +
-                                        Eigen::Vector3f::Constant(0.5F));
-                    nearest_[at(static_cast<int>(i), j, k)] =
-                        tree.closest(center.transpose().cast<double>()).index;
-                }
-        });
-    }
-
-    Index operator()(const Eigen::Vector3f& x) const {
-        const Eigen::Vector3f u = (x - low_) / cell_;
-        const auto cell = [&](int c) { return std::clamp(static_cast<int>(u[c]), 0, n_[c] - 1); };
-        return nearest_[at(cell(0), cell(1), cell(2))];
-    }
-
-  private:
-    std::size_t at(int i, int j, int k) const { return to_size((i * n_[1] + j) * n_[2] + k); }
-
-    float cell_;
-    Eigen::Vector3f low_;
-    std::array<int, 3> n_{};
-    std::vector<Index> nearest_;
-};
 
 // One of the surfaces, as points that ask and as vertices that answer.
 struct Side {
@@ -73,7 +33,7 @@ struct Side {
           landmarks(surface.samples.begin(), surface.samples.begin() + n_landmarks),
           asking(surface.samples.begin() + n_landmarks, surface.samples.end()),
           area(surface.area),
-          nearest(surface, tuning.cell, tuning.margin) {
+          nearest(surface.mesh.vertices, tuning.cell, tuning.margin) {
         asking.resize(std::min(asking.size(), to_size(tuning.n_points)));
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// Step 2b: ways of laying the part, turned and moved as a whole, onto the other surface.
+// Step 2 for two parts: ways of laying one, turned and moved as a whole, onto the other.
 #pragma once
 
 #include "match/partial/surface.hpp"

@@ -62,7 +62,7 @@ struct AnchoringTuning {
     double max_difference = 0.12, near_length = 0.03;
 };
 
-/// Step 2b, the part laid onto the other as a whole.
+/// Step 2 for two parts, one laid onto the other as a whole.
 struct PlacementTuning {
     double cell = 0.03, margin = 0.2;  ///< of the grids in which the nearest vertices are looked up
     int n_points = 225;                ///< of each surface, that ask for what is nearest on the other

@@ -108,6 +108,7 @@ TEST_F(MatchPartial, PartsThatOverlap) {
     EXPECT_LT(count_matched(result.target_from_source), a.mesh.n_vertices());
     const VertexMap on_other = compose_maps(result.target_from_source, b.whole_from_part);
     EXPECT_LT(error(on_other, a.whole_from_part), 1.75);  // unfinished: 2.11
+    EXPECT_EQ(match_partial(b.mesh, a.mesh, known).source_from_target, result.target_from_source);
 }
 
 TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
