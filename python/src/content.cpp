@@ -111,11 +111,11 @@ nb::tuple state_of(AttributedMesh& self) {
 
 using ObjectsState = std::tuple<std::vector<nb::bytes>, IndexArray, IndexArray>;
 using AttributeState = std::tuple<MatrixArray, TriangleArray>;
-using State =
-    std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
-               std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
-               std::vector<std::tuple<std::string, PointArray>>, IndexArray, std::vector<std::string>,
-               std::optional<nb::bytes>, std::vector<std::tuple<std::string, MatrixArray>>, IndexArray, ObjectsState>;
+using State = std::tuple<PointArray, TriangleArray, IndexArray, TriangleArray, std::optional<AttributeState>,
+                         std::vector<AttributeState>, std::vector<AttributeState>, JointArray, MatrixArray,
+                         std::vector<std::tuple<std::string, PointArray>>, IndexArray,
+                         std::vector<std::string>, std::optional<nb::bytes>,
+                         std::vector<std::tuple<std::string, MatrixArray>>, IndexArray, ObjectsState>;
 
 AttributedMesh restore(const State& state) {
     const auto& [vertices, triangles, first, corners, normals, texture_coordinates, colors, joints, weights,

@@ -6,8 +6,8 @@
 
 namespace counterpart::io {
 
-/// One of several objects of the content, as if the file held no other: its triangles and vertices in their order, and
-/// of attributes, polygons and parts what they use. The content has no document. O(V + F).
+/// One of several objects of the content, as if the file held no other: its triangles and vertices in their
+/// order, and of attributes, polygons and parts what they use. The content has no document. O(V + F).
 AttributedMesh only_object(AttributedMesh content, Index object);
 
 }  // namespace counterpart::io
