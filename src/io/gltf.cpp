@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -219,7 +220,7 @@ GltfFile io::surface_of(std::shared_ptr<const GltfContent> document,
         require_valid(file.content.mesh);
         if (object)
             file.notices.push_back(object_notice(names, chosen_object(names, *object), file.content.mesh));
-        file.content.document = document;
+        file.content.document = std::move(document);
         return file;
     } catch (const GltfJson::exception& error) {
         gltf.fail(fmt::format("the JSON is not glTF ({})", error.what()));
