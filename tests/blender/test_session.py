@@ -192,13 +192,15 @@ def test_a_doubtful_map_is_told_before_anything_is_changed(hero):
     assert stored(other.data).verdict == "check"
 
 
-def test_a_rejected_map_needs_consent(hero):
+def test_a_rejected_map_needs_consent(hero, monkeypatch):
     other = c.remeshed(hero, "Other")
     c.only(hero, other)
     bpy.ops.counterpart.match()
     other.data["counterpart"]["verdict"] = "do not use"
-    before = everything()
+    rejected = stored(other.data)
+    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", lambda pair: rejected)
     assert bpy.ops.counterpart.match() == {"FINISHED"}
+    before = everything()
     with pytest.raises(RuntimeError, match="Use Doubtful Maps"):
         bpy.ops.counterpart.transfer()
     assert differences(before, everything()) == []
