@@ -17,10 +17,9 @@ fi
 cmake --preset release -DCOUNTERPART_PYTHON=ON -DPython_EXECUTABLE="$venv/bin/python" > /dev/null
 cmake --build --preset release --target python_package counterpart_cli
 export PYTHONPATH=$PWD/build/release/python COUNTERPART=${COUNTERPART:-$PWD/build/release/counterpart}
-only=()
-[ "${1:-}" != --quick ] || only=(-m "not slow")
-"$venv/bin/python" -m pytest -q -n 2 --timeout 600 --timeout-method thread "${only[@]}" --doctest-modules python/tests \
-  "$PYTHONPATH/counterpart3d"
+options=(-n 2 --timeout 600 --timeout-method thread -o faulthandler_timeout=570)
+[ "${1:-}" != --quick ] || options+=(-m "not slow")
+"$venv/bin/python" -m pytest -q "${options[@]}" --doctest-modules python/tests "$PYTHONPATH/counterpart3d"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart3d" python/examples benchmarks/python build/tutorials
 [ "${1:-}" = --quick ] || "$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
