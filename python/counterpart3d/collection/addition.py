@@ -49,12 +49,14 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
     known = {member["content"] for member in base.content["members"]}
     names = {member["name"] for member in base.content["members"]}
     found = meshes_in(folder)
-    files = [_renamed(file, names) for file in found.meshes if file.content not in known]
+    files = [
+        dataclasses.replace(file, name=_free(file.name, names)) for file in found.meshes if file.content not in known
+    ]
     specimens, left_out = prepared_specimens(runner, base.store, files, progress)
     members = [(m["shape"], m["registration"], bool(m["mirrored"])) for m in base.content["members"]]
     template = base.content["template"]
     items = [(base.store, template, specimen.file.content, members) for specimen in specimens]
-    left_out = {**found.left_out, **left_out}
+    left_out = {**{_free(name, names): why for name, why in found.left_out.items()}, **left_out}
     joined: list[MeshFile] = []
     progress.start()
     for done, (i, message) in enumerate(runner.outcomes(join, items)):
@@ -66,11 +68,10 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
     _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out, progress)
 
 
-def _renamed(file: MeshFile, taken: set[str]) -> MeshFile:
-    name = file.name
+def _free(name: str, taken: set[str]) -> str:
     while name in taken:
         name += "_added"
-    return dataclasses.replace(file, name=name)
+    return name
 
 
 def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progress: Progress) -> None:
@@ -97,14 +98,19 @@ def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progres
     content = {
         **base.content,
         "members": [*old, *members],
-        "left_out": {**base.content["left_out"], **left_out},
-        "measures": {**base.content["measures"], "specimens": len(old) + len(members)},
+        "left_out": {row["subject"]: row["remark"] for row in quality if "mean_dist" not in row},
+        "measures": {
+            **base.content["measures"],
+            "specimens": len(old) + len(members),
+            "left_out": len(quality) - len(old) - len(members),
+        },
         "quality": quality,
     }
     with whole_file(base.folder / "model.npz") as out:
         np.savez_compressed(out, **arrays)  # type: ignore[arg-type]
     _extend_scores(base.folder / "scores.csv", len(old), [file.name for file in joined], sizes, scores)
     write_quality(base.folder / "quality.csv", quality)
+    write_table(base.folder / "measures.csv", ["measure", "value"], content["measures"].items())
     write_report(_shown(base, content, arrays), base.folder / "report.html", progress)
     with whole_file(base.folder / "collection.json") as out:
         out.write(json.dumps(content, indent=1).encode())
@@ -143,8 +149,9 @@ def _quality(base: Base, joined: list[MeshFile], distances: FloatArray, left_out
         fit = base.store.get("registrations", str(found["registration"]))
         shape = base.store.get("shapes", shape_key(file.content))
         rows.append(row_of(file.name, fit, shape, found["errors"].tolist(), float(value), mirrored=False))
-    renewed = {row["subject"] for row in rows}
-    return worst_first([*(row for row in base.content["quality"] if row["subject"] not in renewed), *rows])
+    said = {row["subject"] for row in rows}  # of a file that was left out before too
+    old = [row for row in base.content["quality"] if "mean_dist" in row or row["subject"] not in said]
+    return worst_first([*old, *rows])
 
 
 def _written_specimen(base: Base, file: MeshFile, registration: str, vertices: FloatArray) -> dict[str, Any]:

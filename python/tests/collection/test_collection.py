@@ -195,6 +195,7 @@ def test_new_specimens_join(made, tmp_path):
     old = rebuilt(made, tmp_path, semi=5)
     before = files_of(tmp_path / "out" / "meshes")
     truth, _ = write_family(tmp_path / "new", 2, seed=5)
+    (tmp_path / "new" / "shape1.off").write_text("OFF\n1 1 0\n")  # named like a specimen that stays
     found = old.add(tmp_path / "new", **QUICK)
     assert found.names == [*NAMES, "new0", "new1"]
     assert {f: c for f, c in files_of(tmp_path / "out" / "meshes").items() if f in before} == before
@@ -213,7 +214,8 @@ def test_new_specimens_join(made, tmp_path):
     assert (tmp_path / "out" / "landmarks" / "new1.mrk.json").exists()
     assert len((tmp_path / "out" / "scores.csv").read_text().splitlines()) == 9
     rows = {row["subject"]: row for row in csv.DictReader((tmp_path / "out" / "quality.csv").open(newline=""))}
-    assert {*rows} == {*found.names, *found.left_out}
+    assert {*rows} == {*found.names, *found.left_out} and "shape1_added" in found.left_out
+    assert found.measures["specimens"] == 8 and found.measures["left_out"] == len(found.left_out)
     assert float(rows["new1"]["coverage"]) > 0.95 and 0 < float(rows["new1"]["cycle_error"]) < 3
     report = (tmp_path / "out" / "report.html").read_text()
     assert report.count("<figure") == 8 and report.count("<circle") == 8 and "<figcaption>new1<" in report
