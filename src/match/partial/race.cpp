@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -194,9 +195,10 @@ std::vector<Fit> fits_of_parts(const SamplePair& pair, const Pins& pins, const P
 
 double scale_of_parts(const Surface& part, const Surface& whole, Index n_landmarks, double least, double most,
                       const PartialTuning& tuning) {
-    std::vector<double> scales;
-    for (double scale = least; scale < most * tuning.part_scale.step; scale *= tuning.part_scale.step)
-        scales.push_back(scale);
+    const double step = tuning.part_scale.step;
+    const auto count = static_cast<std::size_t>(std::ceil(std::log(most / least) / std::log(step))) + 1;
+    std::vector<double> scales = {least};
+    while (scales.size() < count) scales.push_back(scales.back() * step);
     return placements(part, whole, n_landmarks, scales, tuning.part_scale.placement).front().scale;
 }
 
