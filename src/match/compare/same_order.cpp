@@ -11,8 +11,7 @@
 namespace counterpart {
 namespace {
 
-// Whether both bulge and are hollow at the same vertices, as a surface and the
-// same surface bent are.
+// Whether both bulge and are hollow at the same vertices, as a surface and the same surface bent are.
 bool curve_alike(MeshView source, MeshView target) {
     constexpr double least_correlation = 0.4;
     if (!(surface_area(source) > 0 && surface_area(target) > 0)) return false;

@@ -6,12 +6,14 @@
 #include "match/differences/triangle_pairs.hpp"
 #include "match/differences/tuning.hpp"
 #include "mesh/edge_table.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace counterpart::differences {
 
@@ -125,10 +127,7 @@ Chance chance_among(const std::vector<Index>& triangles, const PairSide& mesh) {
 }
 
 double length_deviation(std::vector<double> log_ratios) {
-    if (log_ratios.empty()) return 0;
-    const double common = median(log_ratios);
-    for (double& ratio : log_ratios) ratio = std::abs(ratio - common);
-    return median(std::move(log_ratios));
+    return numerics::median_absolute_deviation(std::move(log_ratios));
 }
 
 }  // namespace counterpart::differences

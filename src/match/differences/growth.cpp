@@ -4,6 +4,7 @@
 
 #include "match/differences/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +12,6 @@
 namespace counterpart::differences {
 
 using namespace isomorphism;
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 PairSide::PairSide(MeshView mesh_of_side, const DartMap& map_of_side)
     : mesh(mesh_of_side), map(map_of_side), colors{vertex_colors(map, 0)} {
@@ -53,10 +48,10 @@ void Growth::measure_lengths(const std::vector<DartPair>& pairs) {
         if (in_a > 0 && in_b > 0) ratios.push_back(in_b / in_a);
     }
     if (ratios.empty()) return;
-    fit_.scale = median(ratios);
+    fit_.scale = numerics::median(ratios);
     for (const auto& [d, e] : pairs) differences.push_back(shape_difference(d, e));
-    fit_.tolerance =
-        std::clamp(tuning.medians * median(differences), tuning.min_tolerance, tuning.max_tolerance);
+    fit_.tolerance = std::clamp(tuning.medians * numerics::median(differences), tuning.min_tolerance,
+                                tuning.max_tolerance);
 }
 
 std::vector<DartPair> Growth::trusted_surroundings(DartPair seed) const {

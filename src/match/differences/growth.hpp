@@ -30,9 +30,6 @@ struct PairSide {
     }
 };
 
-/// Of at least one value; of an even number, the higher of the middle two.
-double median(std::vector<double> values);
-
 /// How edge lengths of the two meshes compare where they correspond.
 struct LengthFit {
     double scale = 1;        ///< target / source

@@ -6,6 +6,7 @@
 #include "match/differences/triangle_pairs.hpp"
 #include "match/differences/tuning.hpp"
 #include "match/symmetry/pair_geometry.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ class Verifier {
             if (const auto offset = prediction_.offset(border[i], map_[border[i]], kept_))
                 offsets.push_back(*offset);
         const bool belongs = is_significant(evidence(region)) ||
-                             (!offsets.empty() && median(offsets) <= tuning.max_region_offset);
+                             (!offsets.empty() && numerics::median(offsets) <= tuning.max_region_offset);
         if (!belongs) return;
         count(region);
         for (const Index v : own) {

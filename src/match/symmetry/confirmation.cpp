@@ -3,6 +3,7 @@
 #include "match/symmetry/confirmation.hpp"
 
 #include "match/symmetry/tuning.hpp"
+#include "numerics/median.hpp"
 #include "numerics/rank_correlation.hpp"
 
 #include <counterpart/descriptor/descriptors.hpp>
@@ -18,13 +19,6 @@ namespace counterpart::symmetry {
 using namespace isomorphism;
 
 namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 double spread(const std::vector<double>& values) {
     double sum = 0, squares = 0;
@@ -51,8 +45,7 @@ struct Side {
     }
 };
 
-// How unlike edges are in length, whatever the scale: the median of how far the logarithms of their ratios
-// are from the median ratio.
+// How unlike edges are in length, whatever the scale.
 double deviation(const Side& a, const Side& b, const ComponentPair& pair) {
     std::vector<double> ratios;
     for (const std::size_t k : evenly_spread(pair.size(), exact_tuning.confirming_triangles)) {
@@ -62,9 +55,7 @@ double deviation(const Side& a, const Side& b, const ComponentPair& pair) {
             if (here > 0 && there > 0) ratios.push_back(std::log(there / here));
         }
     }
-    const double common = median(ratios);
-    for (double& ratio : ratios) ratio = std::abs(ratio - common);
-    return median(std::move(ratios));
+    return numerics::median_absolute_deviation(std::move(ratios));
 }
 
 // Whether both bulge and are hollow at the same places.
@@ -111,13 +102,14 @@ bool is_confirmed(const Side& source, const Side& target, const ComponentPair& p
         of_source.push_back(deviation(source, source, {pair.kind, pair.source, pair.source, symmetry}));
         of_target.push_back(deviation(target, target, {pair.kind, pair.target, pair.target, symmetry}));
     }
-    const double itself = std::min(median(std::move(of_source)), median(std::move(of_target)));
+    const double itself =
+        std::min(numerics::median(std::move(of_source)), numerics::median(std::move(of_target)));
     if (itself <= std::max(exact_tuning.clear_share * chosen, exact_tuning.alike)) return true;
     for (const Images& symmetry : symmetries)
         others.push_back(deviation(source, target, turned(pair, symmetry)));
     // The best of so many ways is as much better than the middle by chance, in standard deviations.
     const double by_chance = std::sqrt(2 * std::log(static_cast<double>(order))) * spread(others);
-    const double middle = median(std::move(others));
+    const double middle = numerics::median(std::move(others));
     const bool keeps_lengths = chosen <= std::max(exact_tuning.clear_share * middle, exact_tuning.alike) ||
                                chosen <= middle - exact_tuning.beyond_chance * by_chance;
     return keeps_lengths && curve_alike(source, target, pair);
