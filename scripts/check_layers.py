@@ -4,8 +4,9 @@
 """Checks that modules include only what the table below allows, so that data flows one way through the project.
 
 A type of another module that is declared instead of included counts as included. Public headers may include the
-standard library, Eigen and <counterpart/...> only."""
+standard library, Eigen and <counterpart/...> only. Rooms, the folders within a module, include each other one way."""
 
+import graphlib
 import pathlib
 import re
 import sys
@@ -70,9 +71,24 @@ def problems(root):
                     yield f"{name}: a public header may not include {header}"
 
 
+def circles(root):
+    """A circle of rooms that include each other, if there is one."""
+    rooms = graphlib.TopologicalSorter()
+    for file in sorted((root / "src").rglob("*/*/*.[ch]pp")):
+        room = file.relative_to(root / "src").parent
+        for _, header in INCLUDE.findall(file.read_text()):
+            other = pathlib.PurePath(header).parent
+            if len(other.parts) == 2 and other.parts[0] == room.parts[0] and other != room:
+                rooms.add(room, other)
+    try:
+        rooms.prepare()
+    except graphlib.CycleError as error:
+        yield "rooms include each other in a circle: " + ", ".join(str(room) for room in error.args[1])
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
-    found = list(problems(root))
+    found = [*problems(root), *circles(root)]
     print("\n".join(found) if found else "layers: every include follows the table")
     return 1 if found else 0
 

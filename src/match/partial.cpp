@@ -12,6 +12,7 @@
 #include "match/partial/roles.hpp"
 #include "match/spectral/priors.hpp"
 #include "match/spectral/requests.hpp"
+#include "match/surface/openness.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/partial.hpp>
@@ -29,7 +30,7 @@ namespace counterpart {
 namespace {
 
 using namespace partial_match;
-using spectral_match::Preprocessed;
+using surface_match::Preprocessed;
 
 void require_valid(const PartialOptions& options, MeshView source, MeshView target) {
     if (options.n_samples < 200 || options.n_samples > 5000)
@@ -58,7 +59,8 @@ class PartialMatching {
           source_(std::move(source)),
           target_(std::move(target)),
           bends_source_(part == Part::source ||
-                        (part == Part::both && openness(source_.mesh) >= openness(target_.mesh))) {
+                        (part == Part::both &&
+                         surface_match::openness(source_.mesh) >= surface_match::openness(target_.mesh))) {
         result_.part = part;
     }
 

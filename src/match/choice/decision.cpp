@@ -13,6 +13,7 @@
 #include "match/place/same_places.hpp"
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/requests.hpp"
+#include "match/surface/openness.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -155,7 +156,7 @@ class Deciding {
     bool is_partial() {
         if (is_for_spectral(options_)) return false;
         const bool is_said = options_.partial.part != Part::unknown;
-        const double open = std::max(partial_match::openness(source_), partial_match::openness(target_));
+        const double open = std::max(surface_match::openness(source_), surface_match::openness(target_));
         if (is_said) {
             reason() += fmt::format("; part: {}", to_string(options_.partial.part));
         } else if (open > partial_match::open_part) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/compare/geometry.hpp"
 
-#include "match/partial/roles.hpp"
+#include "match/surface/openness.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
@@ -84,7 +84,7 @@ void compare_parts(MeshView source, MeshView target, MeshComparison& result) {
     const MeshReport& open = second_is_open ? second : first;
     const double area = second.area / first.area / (result.scale * result.scale);
     const double share = second_is_open ? 1 - area : 1 - 1 / area;
-    const bool matters = partial_match::has_opening(second_is_open ? target : source);
+    const bool matters = surface_match::has_opening(second_is_open ? target : source);
     result.messages.push_back(
         {MessageCode::openness_differs,
          matters ? Severity::caution : Severity::notice,

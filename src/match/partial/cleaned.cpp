@@ -3,16 +3,13 @@
 #include "match/partial/cleaned.hpp"
 
 #include <counterpart/base/errors.hpp>
-#include <counterpart/mesh/measure.hpp>
-
-#include <cmath>
 
 #include <fmt/format.h>
 
 namespace counterpart::partial_match {
 namespace {
 
-void require_room_for_distances(const spectral_match::Preprocessed& cleaned, const std::string& name) {
+void require_room_for_distances(const surface_match::Preprocessed& cleaned, const std::string& name) {
     constexpr Index max_vertices = 500000;  // 2 GB
     if (cleaned.mesh.n_vertices() > max_vertices)
         throw UnsuitableMesh(fmt::format(
@@ -23,24 +20,12 @@ void require_room_for_distances(const spectral_match::Preprocessed& cleaned, con
 
 }  // namespace
 
-spectral_match::Preprocessed cleaned(MeshView mesh, const std::string& name) {
-    constexpr Index min_vertices = 50;
-    const double area = surface_area(mesh);
-    if (!(area > 0))
-        throw UnsuitableMesh(fmt::format("the {} has no area: all its triangles are degenerate", name));
-    if (!std::isfinite(area))
-        throw UnsuitableMesh(fmt::format("the {} is too large to measure: scale it down first", name));
-    spectral_match::Preprocessed result = spectral_match::preprocess(mesh);
-    if (result.mesh.n_vertices() < min_vertices)
-        throw UnsuitableMesh(
-            fmt::format("partial matching needs meshes of at least {} vertices, but the {} has {}: too "
-                        "few to show a shape; subdivide it first",
-                        min_vertices, name, result.mesh.n_vertices()));
-    return result;
+surface_match::Preprocessed cleaned(MeshView mesh, const std::string& name) {
+    return surface_match::preprocess(mesh, {"partial", 50, name});
 }
 
-void require_room_for_distances(const spectral_match::Preprocessed& source,
-                                const spectral_match::Preprocessed& target) {
+void require_room_for_distances(const surface_match::Preprocessed& source,
+                                const surface_match::Preprocessed& target) {
     require_room_for_distances(source, "source");
     require_room_for_distances(target, "target");
 }

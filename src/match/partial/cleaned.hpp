@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/preprocess.hpp"
+#include "match/surface/preprocess.hpp"
 
 #include <string>
 
@@ -10,10 +10,10 @@ namespace counterpart::partial_match {
 
 /// What is matched of a mesh. Throws UnsuitableMesh, which calls it by `name`, without area or for fewer than
 /// 50 distinct vertices.
-spectral_match::Preprocessed cleaned(MeshView mesh, const std::string& name);
+surface_match::Preprocessed cleaned(MeshView mesh, const std::string& name);
 
 /// Throws UnsuitableMesh for more vertices than distances to them fit into memory.
-void require_room_for_distances(const spectral_match::Preprocessed& source,
-                                const spectral_match::Preprocessed& target);
+void require_room_for_distances(const surface_match::Preprocessed& source,
+                                const surface_match::Preprocessed& target);
 
 }  // namespace counterpart::partial_match

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/confidence.hpp"
 
+#include "match/surface/notices.hpp"
+#include "match/surface/trust.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,22 +21,14 @@ bool agree(const BentSource& a, const BentSource& b, std::size_t v, const Surfac
 
 using Messages = std::vector<Message>;
 
-void add_on_mesh(const spectral_match::Preprocessed& mesh, Subject subject, Messages& messages) {
-    const auto add = [&](bool holds, MessageCode code, const std::string& sentence,
-                         std::vector<Index> vertices = {}) {
-        if (holds) messages.push_back({code, Severity::notice, sentence, {subject, std::move(vertices)}});
-    };
-    add(mesh.was_inside_out, MessageCode::inside_out, "inside out; its triangles were flipped for matching");
-    add(mesh.n_one_sided > 0, MessageCode::one_sided,
-        "a part of the surface is one-sided, like a Moebius band; left and right are undefined there");
-    add(mesh.n_components > 1, MessageCode::several_components,
-        fmt::format("{} components; little is known of the distances between them", mesh.n_components));
-    add(mesh.n_small_components > 0, MessageCode::small_components,
-        fmt::format(
-            "left out {} small components ({:.2g} % of the area); each of their vertices is matched like the "
-            "nearest one",
-            mesh.n_small_components, 100 * mesh.small_share),
-        mesh.left_out);
+void add_on_mesh(const surface_match::Preprocessed& mesh, Subject subject, Messages& messages) {
+    for (Message& notice : surface_match::notices_on(mesh, subject)) messages.push_back(std::move(notice));
+    if (mesh.n_components > 1)
+        messages.push_back(
+            {MessageCode::several_components,
+             Severity::notice,
+             fmt::format("{} components; little is known of the distances between them", mesh.n_components),
+             {subject}});
 }
 
 // Infinite if nothing is matched.
@@ -50,12 +46,10 @@ double mean_of_matched(const PartialResult& result) {
 }  // namespace
 
 double whole_confidence(const Fit& fit, const Finish& finish, const ConfidenceTuning& tuning) {
-    const auto above = [](double x, double half, double width) {
-        return 1 / (1 + std::exp((half - x) / width));
-    };
-    return above(fit.score, tuning.half_score, tuning.score_width) *
-           above(-finish.misfit, -tuning.half_misfit, tuning.misfit_width) *
-           above(finish.share, tuning.half_share, tuning.share_width);
+    using surface_match::trust;
+    return trust(fit.score, tuning.half_score, tuning.score_width) *
+           trust(-finish.misfit, -tuning.half_misfit, tuning.misfit_width) *
+           trust(finish.share, tuning.half_share, tuning.share_width);
 }
 
 double share_moved(const BentSource& a, const BentSource& b, const Surface& whole,
@@ -79,9 +73,8 @@ Vector confidence(const Surface& part, const Surface& whole, const std::vector<F
             likelihoods += likelihood;
             if (agree(best.bent, fit.bent, i, whole, tuning.same_place)) agreeing += likelihood;
         }
-        const double gap = (best.bent.positions.row(v) - whole.mesh.vertices.row(best.bent.image[i])).norm() /
-                           tuning.gap_length;
-        result[v] = all * agreeing / likelihoods * std::exp(-gap * gap);
+        const double gap = (best.bent.positions.row(v) - whole.mesh.vertices.row(best.bent.image[i])).norm();
+        result[v] = all * agreeing / likelihoods * surface_match::trust_at(gap, tuning.gap_length);
     }
     return result;
 }
@@ -96,8 +89,8 @@ std::optional<Elsewhere> best_elsewhere(const std::vector<Fit>& found, const Sur
     return std::nullopt;
 }
 
-std::vector<Message> messages_on(const PartialResult& result, const spectral_match::Preprocessed& source,
-                                 const spectral_match::Preprocessed& target, double misfit,
+std::vector<Message> messages_on(const PartialResult& result, const surface_match::Preprocessed& source,
+                                 const surface_match::Preprocessed& target, double misfit,
                                  const std::optional<Elsewhere>& elsewhere, const ConfidenceTuning& tuning) {
     Messages messages;
     add_on_mesh(source, Subject::source, messages);

@@ -39,8 +39,8 @@ std::optional<Elsewhere> best_elsewhere(const std::vector<Fit>& found, const Sur
                                         const ConfidenceTuning& tuning);
 
 /// What was noticed in the meshes, and what makes the match doubtful.
-std::vector<Message> messages_on(const PartialResult& result, const spectral_match::Preprocessed& source,
-                                 const spectral_match::Preprocessed& target, double misfit,
+std::vector<Message> messages_on(const PartialResult& result, const surface_match::Preprocessed& source,
+                                 const surface_match::Preprocessed& target, double misfit,
                                  const std::optional<Elsewhere>& elsewhere, const ConfidenceTuning& tuning);
 
 }  // namespace counterpart::partial_match

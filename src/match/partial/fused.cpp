@@ -3,8 +3,8 @@
 #include "match/partial/fused.hpp"
 
 #include "match/partial/requests.hpp"
-#include "match/partial/tears.hpp"
 #include "match/spectral/pipeline.hpp"
+#include "match/surface/tears.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -53,8 +53,8 @@ PartialResult match_fused(MeshView source, MeshView target, const PartialOptions
             share_moved(best, places(other.target_from_source, target), tuning.confidence.same_place);
         result.alternatives.push_back({std::move(other.target_from_source), other.score, moved});
     }
-    result.source_touching = torn_vertices(source, best, tuning.tear);
-    result.target_touching = torn_vertices(target, places(found.source_from_target, source), tuning.tear);
+    result.source_touching = surface_match::torn_vertices(source, best);
+    result.target_touching = surface_match::torn_vertices(target, places(found.source_from_target, source));
     result.target_from_source = std::move(found.target_from_source);
     result.source_from_target = std::move(found.source_from_target);
     result.confidence = std::move(found.confidence);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/islands.hpp"
 
+#include "match/surface/tears.hpp"
 #include "mesh/disjoint_sets.hpp"
 
 #include <counterpart/mesh/measure.hpp>
@@ -21,7 +22,7 @@ std::vector<Index> without_islands(std::vector<Index> map, MeshView from, MeshVi
             if (image(v) < 0 || image(w) < 0) continue;
             const double before = (from.vertices.row(v) - from.vertices.row(w)).norm(),
                          after = (to.vertices.row(image(v)) - to.vertices.row(image(w))).norm();
-            if (after <= tuning.length + tuning.stretch * before) regions.join(v, w);
+            if (surface_match::tear(before, after) <= surface_match::torn_apart) regions.join(v, w);
         }
     const Vector areas = vertex_areas(from);
     Vector area = Vector::Zero(from.n_vertices()), largest = Vector::Zero(from.n_vertices());

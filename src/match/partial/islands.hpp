@@ -13,8 +13,8 @@ namespace counterpart::partial_match {
 
 /// The map without its islands. A map of two parts holds together where they overlap; what a cut has taken
 /// away there may yet lie near something else by chance, far from the images of its neighbors. Matched
-/// vertices that untorn edges connect are a region; of each component of the surface those regions stay that
-/// have IslandTuning::min_share of the area of the largest, the others become -1. O(F).
+/// vertices that edges connect which are not torn apart are a region; of each component of the surface those
+/// regions stay that have IslandTuning::min_share of the area of the largest, the others become -1. O(F).
 std::vector<Index> without_islands(std::vector<Index> map, MeshView from, MeshView to,
                                    const IslandTuning& tuning);
 

@@ -5,7 +5,7 @@
 #include "base/parallel.hpp"
 #include "base/to_size.hpp"
 #include "geodesic/finite_distance_rows.hpp"
-#include "match/spectral/proxy.hpp"
+#include "match/surface/proxy.hpp"
 #include "mesh/edge_table.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
@@ -125,7 +125,7 @@ CoarseSurface coarsened(const Surface& fine, Index n_vertices) {
         std::iota(result.coarse_of_fine.begin(), result.coarse_of_fine.end(), 0);
         return result;
     }
-    spectral_match::Proxy proxy = spectral_match::make_proxy(fine.mesh, n_vertices);
+    surface_match::Proxy proxy = surface_match::make_proxy(fine.mesh, n_vertices);
     const std::vector<Index>& kept = proxy.full_of_proxy;
     coarse.mesh = std::move(proxy.mesh);
     coarse.normals = fine.normals(kept, Eigen::all);

@@ -7,7 +7,7 @@
 #include "base/progress_range.hpp"
 #include "descriptor/shot.hpp"
 #include "match/partial/tuning.hpp"
-#include "match/spectral/preprocess.hpp"
+#include "match/surface/preprocess.hpp"
 
 #include <counterpart/geodesic/distances.hpp>
 
@@ -20,8 +20,7 @@ namespace counterpart::partial_match {
 
 using numerics::MatrixF;
 
-/// Stands for "in another component".
-constexpr float unreachable = 10;
+using surface_match::unreachable;
 
 /// What is known of the distances between samples on the whole surface, of which this may be a part: at least
 /// `low`, at most `high`. A cut lengthens paths: `high` is measured on the surface, `low` may jump once

@@ -106,8 +106,7 @@ struct OverlapTuning {
 /// Of step 7, where both meshes are parts. On 9 pairs of parts of one shape, chosen on them, islands cost 1 %
 /// more missed vertices and take a quarter of the invented ones away.
 struct IslandTuning {
-    double length = 0.08, stretch = 2;  ///< as of TearTuning
-    double min_share = 0.2;             ///< of the area of the largest region; no other was tried
+    double min_share = 0.2;  ///< of the area of the largest region; no other was tried
 };
 
 /// Where the scale is not known: the part's area is taken to be at least `min_share` and at most `max_share`
@@ -144,12 +143,6 @@ struct ConfidenceTuning {
     /// between 0.3 and 0.4.
     double unsure = 0.4;
     double few_votes = 0.3;
-};
-
-/// Where surfaces are fused.
-struct TearTuning {
-    double length = 0.08,
-           stretch = 2;  ///< an edge is torn if its image is longer than length + stretch * its own
 };
 
 /// Which of the ways in which a part fits is taken. Set by hand after a look at pairs with right
@@ -217,7 +210,6 @@ struct PartialTuning {
     IslandTuning islands;
     ScaleTuning scale;
     PartScaleTuning part_scale;
-    TearTuning tear;
     ChoiceTuning choice;
     ConfidenceTuning confidence, part_confidence = confidence_of_parts;
     spectral_match::PriorTuning requests;

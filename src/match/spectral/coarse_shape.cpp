@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/coarse_shape.hpp"
 
-#include "match/spectral/proxy.hpp"
+#include "match/surface/proxy.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -13,7 +13,7 @@ namespace counterpart::spectral_match {
 namespace {
 
 // What refinement reads, at some of the vertices.
-PreparedShape restricted(const PreparedShape& fine, const Proxy& proxy) {
+PreparedShape restricted(const PreparedShape& fine, const surface_match::Proxy& proxy) {
     const std::vector<Index>& kept = proxy.full_of_proxy;
     PreparedShape coarse;
     coarse.full = {fine.mesh, fine.normals, proxy.cell_of_full};
@@ -52,7 +52,7 @@ CoarseShape as_it_is(const PreparedShape& fine) {
 CoarseShape coarsened(const PreparedShape& fine, Index n_vertices, const PreparationTuning& tuning) {
     const double least = tuning.min_proxy_area * surface_area(fine.mesh);
     for (; n_vertices < fine.mesh.n_vertices(); n_vertices *= 2) {
-        Proxy proxy = make_proxy(fine.mesh, n_vertices);
+        surface_match::Proxy proxy = surface_match::make_proxy(fine.mesh, n_vertices);
         // Of a surface that no proxy resolves (dust, thin leaves) one of this size is still better than all
         // of it.
         const bool is_largest =

@@ -3,6 +3,7 @@
 #include "match/spectral/confidence.hpp"
 
 #include "match/spectral/islands.hpp"
+#include "match/surface/trust.hpp"
 
 #include <cmath>
 
@@ -10,11 +11,6 @@
 
 namespace counterpart::spectral_match {
 namespace {
-
-// Of the map as a whole.
-double whole_confidence(double score, const ConfidenceTuning& tuning) {
-    return 1 / (1 + std::exp(-(score - tuning.half_score) / tuning.score_width));
-}
 
 // For every sample of A the share of the maps, by likelihood, that take it where the best one does.
 Vector agreement(const Level& whole, const Polished& found, const ConfidenceTuning& tuning) {
@@ -40,14 +36,14 @@ double orientation(const SampledPair& pair, const PairedMaps& maps, int size) {
 
 Vector confidence(const Level& whole, const Polished& found) {
     const ConfidenceTuning& tuning = whole.tuning.confidence;
-    const double trust = whole_confidence(found.best.rank(), tuning);
+    const double trust = surface_match::trust(found.best.rank(), tuning.half_score, tuning.score_width);
     const Vector agreeing = agreement(whole, found, tuning);
     const Islands islands =
         find_islands(whole.a, whole.b, found.best.on_vertices.b_from_a, whole.tuning.refinement.islands);
     Vector result = round_trips_and_tears(whole.a, whole.b, found.best.on_vertices);
     for (Index v = 0; v < whole.a.shape.mesh.n_vertices(); ++v) {
-        const double doubt = result[v] / tuning.doubt_length;
-        result[v] = trust * agreeing[whole.a.cells.of_vertex(v)] * std::exp(-doubt * doubt);
+        result[v] = trust * agreeing[whole.a.cells.of_vertex(v)] *
+                    surface_match::trust_at(result[v], tuning.doubt_length);
         if (islands.inside[at(v)] != 0) result[v] *= tuning.island_trust;
     }
     return result;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/messages.hpp"
 
-#include "match/partial/roles.hpp"
 #include "match/spectral/confidence.hpp"
+#include "match/surface/notices.hpp"
+#include "match/surface/openness.hpp"
 
 #include <utility>
 
@@ -13,10 +14,7 @@ namespace counterpart::spectral_match {
 namespace {
 
 using Messages = std::vector<Message>;
-
-std::string counted(Index n, const std::string& noun, const std::string& plural) {
-    return fmt::format("{} {}", n, n == 1 ? noun : plural);
-}
+using surface_match::counted;
 
 void add_on_shape(const PreparedShape& shape, Subject subject, double sphere_ratio, Messages& messages) {
     if (shape.flat)
@@ -43,7 +41,7 @@ void add_on_openness(const Level& whole, Messages& messages) {
     const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
     if ((source.n_boundary_loops > 0) == (target.n_boundary_loops > 0)) return;
     const bool source_is_open = source.n_boundary_loops > 0;
-    if (!partial_match::has_opening(matched_mesh(source_is_open ? whole.a.shape : whole.b.shape))) return;
+    if (!surface_match::has_opening(matched_mesh(source_is_open ? whole.a.shape : whole.b.shape))) return;
     messages.push_back(
         {MessageCode::openness_differs, Severity::caution,
          fmt::format("the {} is open and the {} closed: what is missing in one is matched all "
@@ -84,44 +82,22 @@ void add_on_score(const Level& whole, const Polished& found, Messages& messages)
 }  // namespace
 
 Messages messages_on(const Preprocessed& mesh, Subject subject, Index fragments_from) {
-    Messages messages;
-    const auto add = [&](bool holds, MessageCode code, const std::string& sentence,
-                         Severity severity = Severity::notice, std::vector<Index> vertices = {}) {
-        if (holds) messages.push_back({code, severity, sentence, {subject, std::move(vertices)}});
+    Messages messages = surface_match::notices_on(mesh, subject);
+    const auto add = [&](bool holds, MessageCode code, Severity severity, const std::string& sentence) {
+        if (holds) messages.push_back({code, severity, sentence, {subject}});
     };
-    add(mesh.n_merged > 0, MessageCode::merged_vertices,
-        fmt::format("merged {}", counted(mesh.n_merged, "duplicate vertex", "duplicate vertices")));
-    add(mesh.n_unreferenced > 0, MessageCode::isolated_vertices,
-        fmt::format("{} in no triangle; each is matched like the nearest vertex",
-                    counted(mesh.n_unreferenced, "vertex", "vertices")));
-    add(mesh.n_duplicate_triangles > 0, MessageCode::duplicate_triangles,
-        fmt::format("left out {}",
-                    counted(mesh.n_duplicate_triangles, "duplicate triangle", "duplicate triangles")));
-    add(mesh.n_disagreeing > 0, MessageCode::flipped_triangles,
-        fmt::format("flipped {}", counted(mesh.n_disagreeing, "inconsistently oriented triangle",
-                                          "inconsistently oriented triangles")));
-    add(mesh.n_one_sided > 0, MessageCode::one_sided,
-        "part of the surface is one-sided, like a Moebius band; left and right are undefined there");
-    add(mesh.was_inside_out, MessageCode::inside_out, "inside out; its triangles were flipped for matching");
-    add(mesh.n_nonmanifold_edges > 0, MessageCode::non_manifold,
-        fmt::format("{} with more than two triangles; the surface is treated as cut there",
-                    counted(mesh.n_nonmanifold_edges, "edge", "edges")));
     add(mesh.n_boundary_loops > 0 && mesh.n_components < fragments_from, MessageCode::open_surface,
+        Severity::notice,
         fmt::format("open surface with {}; the match is less reliable near the boundary",
                     counted(mesh.n_boundary_loops, "boundary loop", "boundary loops")));
     add(mesh.n_components > 1 && mesh.n_components < fragments_from, MessageCode::several_components,
+        Severity::notice,
         fmt::format("{} components; the smaller ones are linked to the largest and matched only roughly",
                     mesh.n_components));
-    add(mesh.n_components >= fragments_from, MessageCode::fragments,
+    add(mesh.n_components >= fragments_from, MessageCode::fragments, Severity::do_not_use,
         fmt::format("mostly disconnected fragments ({} components); the map is of little use unless they are "
                     "joined first",
-                    mesh.n_components),
-        Severity::do_not_use);
-    add(mesh.n_small_components > 0, MessageCode::small_components,
-        fmt::format("left out {} ({:.2g} % of the area); each vertex is matched like the nearest one",
-                    counted(mesh.n_small_components, "small component", "small components"),
-                    100 * mesh.small_share),
-        Severity::notice, mesh.left_out);
+                    mesh.n_components));
     return messages;
 }
 

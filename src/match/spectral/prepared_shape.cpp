@@ -6,13 +6,12 @@
 #include "base/random.hpp"
 #include "geodesic/finite_distance_rows.hpp"
 #include "match/spectral/partition.hpp"
-#include "match/spectral/proxy.hpp"
+#include "match/surface/proxy.hpp"
 #include "numerics/sparse_cholesky.hpp"
 #include "numerics/symmetric_eigen.hpp"
 #include "spectral/approximate_basis.hpp"
 #include "spectral/subspace_basis.hpp"
 
-#include <counterpart/base/errors.hpp>
 #include <counterpart/descriptor/descriptors.hpp>
 #include <counterpart/geodesic/distances.hpp>
 #include <counterpart/geodesic/farthest_points.hpp>
@@ -23,8 +22,6 @@
 #include <numbers>
 #include <numeric>
 #include <span>
-
-#include <fmt/format.h>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -91,7 +88,7 @@ void find_extremities(PreparedShape& shape, const DistanceGraph& graph, const Pr
 
 // A large mesh is matched by a proxy, unless that lacks much of it: dust, thin leaves.
 void take_proxy(PreparedShape& shape, const PreparationTuning& tuning, const ProgressRange& progress) {
-    Proxy proxy = make_proxy(shape.mesh, tuning.proxy_size, progress);
+    surface_match::Proxy proxy = surface_match::make_proxy(shape.mesh, tuning.proxy_size, progress);
     const double area = surface_area(proxy.mesh);
     if (area < tuning.min_proxy_area) return;
     const double scale = 1 / std::sqrt(area);
@@ -166,16 +163,7 @@ Eigen::MatrixXd relief(const PreparedShape& shape, const PreparationTuning& tuni
 
 Preprocessed cleaned(MeshView mesh, const PreparationTuning& tuning) {
     require_valid(mesh);
-    const double area = surface_area(mesh);
-    if (!(area > 0)) throw UnsuitableMesh("the mesh has no area: all its triangles are degenerate");
-    if (!std::isfinite(area)) throw UnsuitableMesh("the mesh is too large to measure: scale it down first");
-    Preprocessed result = preprocess(mesh, tuning);
-    if (result.mesh.n_vertices() < min_vertices)
-        throw UnsuitableMesh(
-            fmt::format("spectral matching needs meshes of at least {} vertices, not {}: too few to carry "
-                        "eigenfunctions; subdivide the mesh first",
-                        min_vertices, result.mesh.n_vertices()));
-    return result;
+    return surface_match::preprocess(mesh, {"spectral", min_vertices, "mesh", tuning.min_component_share});
 }
 
 PreparedShape prepare(MeshView mesh, const PreparationOptions& options, const PreparationTuning& tuning,

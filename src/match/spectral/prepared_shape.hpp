@@ -6,7 +6,8 @@
 
 #include "base/progress_range.hpp"
 #include "geodesic/extremities.hpp"
-#include "match/spectral/preprocess.hpp"
+#include "match/spectral/tuning.hpp"
+#include "match/surface/preprocess.hpp"
 #include "spectral/bijective_zoom_out.hpp"
 #include "spectral/orientation.hpp"
 
@@ -33,6 +34,8 @@ struct FullShape {
     Points normals;
     std::vector<Index> cell_of_vertex;  // the proxy's vertex around which each one lies
 };
+
+using surface_match::Preprocessed;
 
 struct PreparedShape {
     Preprocessed origin;            // how the full mesh came from the input; its own mesh is moved out
@@ -67,9 +70,7 @@ struct PreparedShape {
 };
 
 constexpr Index min_vertices = 20;
-/// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
-/// unit area.
-constexpr float unreachable = 10;
+using surface_match::unreachable;
 
 /// What is matched of a mesh. Throws InvalidInput for one that require_valid refuses; UnsuitableMesh without
 /// area, or for fewer than `min_vertices` distinct vertices.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/spectral/score.hpp"
 
+#include "match/surface/tears.hpp"
 #include "numerics/rotation.hpp"
 
 #include <algorithm>
@@ -72,11 +73,12 @@ Vector round_trips_and_tears(const LevelShape& from, const LevelShape& to, const
     Vector result(before.rows());
     for (Index v = 0; v < from.shape.mesh.n_vertices(); ++v) {
         const Index image = maps.b_from_a[at(v)], back = maps.a_from_b[at(image)];
-        double tear = 0;
+        double longest = 0;
         for (const Index w : from.neighbors.neighbors(v))
-            tear = std::max(tear, (after.row(image) - after.row(maps.b_from_a[at(w)])).norm() -
-                                      2 * (before.row(v) - before.row(w)).norm());
-        result[v] = (before.row(v) - before.row(back)).norm() + tear;
+            longest = std::max(
+                longest, surface_match::tear((before.row(v) - before.row(w)).norm(),
+                                             (after.row(image) - after.row(maps.b_from_a[at(w)])).norm()));
+        result[v] = (before.row(v) - before.row(back)).norm() + longest;
     }
     return result;
 }

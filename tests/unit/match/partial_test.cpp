@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/partial/tears.hpp"
+#include "match/surface/tears.hpp"
 #include "support/cuts.hpp"
 #include "support/disguise.hpp"
 #include "support/messages.hpp"
@@ -193,10 +193,10 @@ TEST_F(MatchPartial, TornVerticesAreThoseWhoseNeighborsGoElsewhere) {
     const TriangleMesh sheet = make_grid(20, 20);
     const double unit = std::sqrt(surface_area(sheet));
     Points places = sheet.vertices / unit;
-    EXPECT_TRUE(partial_match::torn_vertices(sheet, places, {}).empty());
-    EXPECT_TRUE(partial_match::torn_vertices(sheet, 2 * places, {}).empty());
+    EXPECT_TRUE(surface_match::torn_vertices(sheet, places).empty());
+    EXPECT_TRUE(surface_match::torn_vertices(sheet, 2 * places).empty());
     places.row(210) += Eigen::RowVector3d(0, 0, 0.5);  // inside: it and the four around it
-    const std::vector<Index> torn = partial_match::torn_vertices(sheet, places, {});
+    const std::vector<Index> torn = surface_match::torn_vertices(sheet, places);
     EXPECT_EQ(torn.size(), 5U);
     EXPECT_TRUE(std::binary_search(torn.begin(), torn.end(), 210));
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/spectral/pipeline.hpp"
-#include "match/spectral/proxy.hpp"
+#include "match/surface/proxy.hpp"
 #include "support/disguise.hpp"
 
 #include <counterpart/mesh/adjacency.hpp>
@@ -23,7 +23,7 @@ const PreparationOptions few{.n_functions = 60, .n_samples = 200};
 
 TEST(SpectralProxy, IsTheClosedOrientedDualOfItsCells) {
     const TriangleMesh full = make_icosphere(5);
-    const Proxy proxy = make_proxy(full, 1000);
+    const surface_match::Proxy proxy = surface_match::make_proxy(full, 1000);
     ASSERT_EQ(proxy.mesh.n_vertices(), 1000);
     EXPECT_EQ(proxy.mesh.n_triangles(), 2 * 1000 - 4);  // of a sphere
     EXPECT_NEAR(signed_volume(proxy.mesh) / signed_volume(full), 1, 0.02);

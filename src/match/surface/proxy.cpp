@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/proxy.hpp"
+#include "match/surface/proxy.hpp"
 
+#include "base/to_size.hpp"
 #include "numerics/nearest_neighbors.hpp"
 
 #include <counterpart/geodesic/farthest_points.hpp>
@@ -9,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-namespace counterpart::spectral_match {
+namespace counterpart::surface_match {
 namespace {
 
 using Corners = std::array<Index, 3>;
@@ -24,8 +25,8 @@ Corners rotated(Corners corners) {
 std::vector<Corners> dual_triangles(MeshView full, const std::vector<Index>& cell) {
     std::vector<Corners> all;
     for (Index t = 0; t < full.n_triangles(); ++t) {
-        const Corners corners{cell[at(full.triangles(t, 0))], cell[at(full.triangles(t, 1))],
-                              cell[at(full.triangles(t, 2))]};
+        const Corners corners{cell[to_size(full.triangles(t, 0))], cell[to_size(full.triangles(t, 1))],
+                              cell[to_size(full.triangles(t, 2))]};
         if (std::min({corners[0], corners[1], corners[2]}) < 0 || corners[0] == corners[1] ||
             corners[1] == corners[2] || corners[2] == corners[0])
             continue;
@@ -54,12 +55,12 @@ Proxy make_proxy(MeshView full, Index n_vertices, const ProgressRange& progress)
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (std::size_t c = 0; c < 3; ++c) {
             const Index sample = triangles[t][c];
-            if (number[at(sample)] < 0) {
-                number[at(sample)] = static_cast<Index>(proxy.full_of_proxy.size());
-                proxy.full_of_proxy.push_back(samples.vertices[at(sample)]);
+            if (number[to_size(sample)] < 0) {
+                number[to_size(sample)] = static_cast<Index>(proxy.full_of_proxy.size());
+                proxy.full_of_proxy.push_back(samples.vertices[to_size(sample)]);
             }
             proxy.mesh.triangles(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(c)) =
-                number[at(sample)];
+                number[to_size(sample)];
         }
     }
     proxy.mesh.vertices = full.vertices(proxy.full_of_proxy, Eigen::all);
@@ -67,11 +68,12 @@ Proxy make_proxy(MeshView full, Index n_vertices, const ProgressRange& progress)
     // A cell that is in no triangle goes to the vertices nearest in space.
     const numerics::NearestNeighbors nearest(proxy.mesh.vertices);
     for (Index v = 0; v < full.n_vertices(); ++v) {
-        const Index sample = samples.sample_of_vertex[at(v)], own = sample < 0 ? -1 : number[at(sample)];
+        const Index sample = samples.sample_of_vertex[to_size(v)],
+                    own = sample < 0 ? -1 : number[to_size(sample)];
         proxy.cell_of_full.push_back(own >= 0 ? own : nearest.closest(full.vertices.row(v)).index);
     }
     progress.reach(1);
     return proxy;
 }
 
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart::surface_match

@@ -3,13 +3,12 @@
 #pragma once
 
 #include "base/progress_range.hpp"
-#include "match/spectral/tuning.hpp"
 
 #include <counterpart/mesh/triangle_mesh.hpp>
 
 #include <vector>
 
-namespace counterpart::spectral_match {
+namespace counterpart::surface_match {
 
 /// A coarse copy of a large surface, on which maps are sought.
 struct Proxy {
@@ -23,4 +22,4 @@ struct Proxy {
 /// About O(V log n_vertices).
 Proxy make_proxy(MeshView full, Index n_vertices, const ProgressRange& progress = {});
 
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart::surface_match

@@ -4,14 +4,13 @@
 // The part of a mesh that is matched, cleaned up; every other vertex follows its nearest one.
 #pragma once
 
-#include "match/spectral/tuning.hpp"
-
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/mesh/triangle_mesh.hpp>
 
+#include <string>
 #include <vector>
 
-namespace counterpart::spectral_match {
+namespace counterpart::surface_match {
 
 struct Preprocessed {
     TriangleMesh mesh;  // duplicate vertices merged, consistently oriented, outward
@@ -31,10 +30,27 @@ struct Preprocessed {
 };
 
 /// Merges coincident vertices; leaves out vertices in no triangle, degenerate and duplicate triangles, and
-/// small components; orients what is left. O((V + F) log F).
-Preprocessed preprocess(MeshView mesh, const PreparationTuning& tuning = {});
+/// components of less than
+/// `min_component_share` of the largest one's area; orients what is left. O((V + F) log F).
+Preprocessed preprocess(MeshView mesh, double min_component_share = 0.1);
+
+/// What a method needs of a mesh, and what it calls the mesh where it does not get it.
+struct Needed {
+    std::string method;
+    Index min_vertices = 0;
+    std::string name = "mesh";
+    double min_component_share = 0.1;
+};
+
+/// `preprocess`, of a mesh that has what is needed. Throws UnsuitableMesh without area, for one too large to
+/// measure, or for fewer distinct vertices.
+Preprocessed preprocess(MeshView mesh, const Needed& needed);
+
+/// Stands for "in another component" where an infinite distance would spoil sums; far beyond any real one at
+/// unit area.
+constexpr float unreachable = 10;
 
 /// A map between matched parts as one between the inputs.
 VertexMap between_inputs(const VertexMap& map, const Preprocessed& source, const Preprocessed& target);
 
-}  // namespace counterpart::spectral_match
+}  // namespace counterpart::surface_match

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-#include "match/spectral/preprocess.hpp"
+#include "match/surface/preprocess.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -12,8 +12,8 @@
 namespace counterpart {
 namespace {
 
-using spectral_match::preprocess;
-using spectral_match::Preprocessed;
+using surface_match::preprocess;
+using surface_match::Preprocessed;
 
 std::vector<Index> counting(Index n) {
     std::vector<Index> numbers(static_cast<std::size_t>(n));
@@ -29,7 +29,7 @@ TriangleMesh beside(const TriangleMesh& a, const TriangleMesh& b) {
     return mesh;
 }
 
-TEST(SpectralPreprocess, IsTheWholeOfAGoodMesh) {
+TEST(SurfacePreprocess, IsTheWholeOfAGoodMesh) {
     const TriangleMesh torus = make_torus(12, 8);
     const Preprocessed result = preprocess(torus);
     EXPECT_EQ(result.mesh.vertices, torus.vertices);
@@ -41,7 +41,7 @@ TEST(SpectralPreprocess, IsTheWholeOfAGoodMesh) {
     EXPECT_EQ(result.n_components, 1);
 }
 
-TEST(SpectralPreprocess, JoinsASoupOfTriangles) {
+TEST(SurfacePreprocess, JoinsASoupOfTriangles) {
     const TriangleMesh ball = make_icosphere(2);
     TriangleMesh soup{Points(3 * ball.n_triangles(), 3), Triangles(ball.n_triangles(), 3)};
     for (Index t = 0; t < ball.n_triangles(); ++t) {
@@ -59,7 +59,7 @@ TEST(SpectralPreprocess, JoinsASoupOfTriangles) {
                   soup.vertices.row(v));
 }
 
-TEST(SpectralPreprocess, LeavesOutCrumbsAndLooseVertices) {
+TEST(SurfacePreprocess, LeavesOutCrumbsAndLooseVertices) {
     TriangleMesh crumb = make_icosphere(0);
     crumb.vertices *= 0.05;
     crumb.vertices.rowwise() += Eigen::RowVector3d(0, 0, 1.5);
@@ -83,7 +83,7 @@ TEST(SpectralPreprocess, LeavesOutCrumbsAndLooseVertices) {
                   static_cast<Index>(c));
 }
 
-TEST(SpectralPreprocess, LeavesOutRepeatedTriangles) {
+TEST(SurfacePreprocess, LeavesOutRepeatedTriangles) {
     const TriangleMesh ball = make_icosphere(2);
     TriangleMesh twice{ball.vertices, Triangles(2 * ball.n_triangles(), 3)};
     twice.triangles << ball.triangles, ball.triangles.rowwise().reverse();
@@ -93,18 +93,18 @@ TEST(SpectralPreprocess, LeavesOutRepeatedTriangles) {
     EXPECT_EQ(result.n_nonmanifold_edges, 0);
 }
 
-TEST(SpectralPreprocess, LeavesOutComponentsBelowATenthOfTheLargest) {
-    TriangleMesh small = make_icosphere(2), other = make_icosphere(2);
-    small.vertices *= 0.25;  // a sixteenth
-    small.vertices.col(0).array() += 3;
+TEST(SurfacePreprocess, LeavesOutComponentsBelowATenthOfTheLargest) {
+    TriangleMesh speck = make_icosphere(2), other = make_icosphere(2);
+    speck.vertices *= 0.25;  // a sixteenth
+    speck.vertices.col(0).array() += 3;
     other.vertices *= 0.4;  // a sixth
     other.vertices.col(0).array() -= 3;
-    const Preprocessed result = preprocess(beside(beside(small, other), make_icosphere(2)));
+    const Preprocessed result = preprocess(beside(beside(speck, other), make_icosphere(2)));
     EXPECT_EQ(result.n_components, 2);
     EXPECT_EQ(result.n_small_components, 1);
 }
 
-TEST(SpectralPreprocess, KeepsEqualPiecesHoweverMany) {
+TEST(SurfacePreprocess, KeepsEqualPiecesHoweverMany) {
     TriangleMesh dust{Points(600, 3), Triangles(200, 3)};
     for (Index t = 0; t < 200; ++t) {
         for (int c = 0; c < 3; ++c) {
@@ -115,7 +115,7 @@ TEST(SpectralPreprocess, KeepsEqualPiecesHoweverMany) {
     EXPECT_EQ(preprocess(dust).n_components, 200);
 }
 
-TEST(SpectralPreprocess, MapsGoBackToTheInputs) {
+TEST(SurfacePreprocess, MapsGoBackToTheInputs) {
     Preprocessed source, target;
     source.matched_of_input = {1, 0, 1};
     target.matched_of_input = {0, 0, 1, 1};

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The counterpart authors
+// SPDX-License-Identifier: MIT
+#include "match/surface/openness.hpp"
+
+#include "mesh/edge_table.hpp"
+
+#include <counterpart/mesh/measure.hpp>
+
+#include <cmath>
+
+namespace counterpart::surface_match {
+
+double openness(MeshView mesh) {
+    double length = 0;
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(mesh)))
+        length += (mesh.vertices.row(v) - mesh.vertices.row(w)).norm();
+    return length / std::sqrt(surface_area(mesh));
+}
+
+}  // namespace counterpart::surface_match
