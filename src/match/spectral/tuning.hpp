@@ -264,6 +264,7 @@ struct PolishTuning {
                   .last_length = 0.06,
                   .islands_from = 0,
                   .back_pull = 3,
+                  .relief_weight = 4,
                   .start_size = 0};
     /// Where a map is given instead of found.
     Schedule given{.n_rounds = 4,
