@@ -71,6 +71,19 @@ def test_other_meshes_sculpted(hero, make):
     assert worst_key(other, places) < 0.005
 
 
+@pytest.mark.parametrize("make", [c.remeshed, c.decimated])
+def test_other_meshes_sculpted_and_moved(hero, make):
+    """Turned, moved and scaled: not the swelling, but how the copy lies must be found."""
+    fuller = c.sculpted(hero, "Fuller")
+    other = make(fuller, "Other")
+    places = c.places_on(fuller, other, c.positions(hero))
+    other.matrix_world = ELSEWHERE @ Matrix.Diagonal((2.5, 2.5, 2.5, 1))
+    transfer(hero, other)
+    errors = weight_errors(other, places)
+    assert errors.mean() < 0.01 and np.percentile(errors, 95) < 0.03
+    assert worst_key(other, places) < 0.006
+
+
 def test_materials_and_smooth_shading(hero):
     other = c.remeshed(hero, "Other")
     transfer(hero, other)
