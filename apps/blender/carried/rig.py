@@ -58,7 +58,7 @@ def onto_active(selected, carrier: Carrier) -> tuple[Matrix, list[str]]:
     if left > OTHER_POSE:
         notices.append(
             f"'{selected.name}' has another pose or size than the active object: {left:.0%} of the size is left "
-            "between them, so the bones are not inside it; pose it alike first"
+            "between them, so the bones are not inside it; pose and scale it alike first"
         )
     return Matrix(turn) @ selected.matrix_world, notices
 
