@@ -136,6 +136,16 @@ def test_the_rig_works_at_once(hero):
     assert far_apart(hero, other) < 0.01 * c.HEIGHT
 
 
+def test_modifiers_come_in_the_order_of_the_active_object(hero):
+    hero.modifiers.new("Subdivision", "SUBSURF")
+    hero.modifiers.new("Soft", "SMOOTH")
+    other = c.remeshed(hero, "Other")
+    for name, kind in (("Soft", "SMOOTH"), ("Mine", "MIRROR"), ("Subdivision", "SUBSURF")):
+        other.modifiers.new(name, kind)
+    transfer(hero, other)
+    assert other.modifiers.keys() == ["Mine", "Armature", "Subdivision", "Soft"]
+
+
 def test_copies_that_stand_elsewhere_are_moved_into_the_rig(hero):
     other = c.remeshed(hero, "Other")
     places = c.positions(other)

@@ -64,7 +64,8 @@ def onto_active(selected, carrier: Carrier) -> tuple[Matrix, list[str]]:
 
 
 def copy_modifiers(active, selected) -> list[str]:
-    left = []
+    """In the order of the active object, also where the selected one has some of them."""
+    left, last = [], -1
     for modifier in active.modifiers:
         if modifier.type in OF_ONE_MESH or is_bound(modifier):
             left.append(modifier.name)
@@ -73,6 +74,10 @@ def copy_modifiers(active, selected) -> list[str]:
         if ours is None or ours.type != modifier.type:
             ours = selected.modifiers.new(modifier.name, modifier.type)
         copy_settings(modifier, ours)
+        place = selected.modifiers.find(ours.name)
+        if place < last:
+            selected.modifiers.move(place, last)
+        last = max(place, last)
     if left:
         names = ", ".join(f"'{name}'" for name in left)
         return [f"Modifiers that belong to one mesh were left out: {names}"]
