@@ -44,7 +44,8 @@ def manifest(wheels):
 def contents(wheels):
     """Names in the zip, and what is there."""
     yield "blender_manifest.toml", manifest(wheels).encode()
-    yield "LICENSE", (ROOT / "LICENSE").read_bytes()
+    yield "LICENSE", (ROOT / "LICENSE").read_bytes()  # of the sources and the wheels
+    yield "COPYING", (EXTENSION / "COPYING").read_bytes()  # of the zip as a whole
     for file in sorted(EXTENSION.rglob("*.py")):
         yield file.relative_to(EXTENSION).as_posix(), file.read_bytes()
     for wheel in wheels:

@@ -26,21 +26,36 @@ def match_touching(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
     far; None if the surfaces do not lie on each other. O(n log n)."""
     if not _are_within(TOUCHING, active, selected):
         return None
-    return _nearest(selected, active, TOUCHING * active.size, slice(None))
+    return nearest_points(selected, active, TOUCHING * active.size, slice(None))
 
 
 def match_near(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
     """The same for surfaces near each other; None also where neighbors go to places that are no neighbors."""
     if not _are_within(NEAR, active, selected):
         return None
-    points = _nearest(selected, active, NEAR * active.size, slice(None))
+    points = nearest_points(selected, active, NEAR * active.size, slice(None))
     return points if _torn_share(selected, active, points) < TORN else None
+
+
+def nearest_points(surface: Surface, other: Surface, near: float, which: slice | np.ndarray) -> cp.SurfaceMap:
+    """The nearest points of the other surface within this distance that face the same way, for some of the vertices."""
+    points, normals = surface.vertices[which], surface.normals[which]
+    triangle = np.full(len(points), -1, np.int32)
+    place = points.copy()
+    for i, (point, normal) in enumerate(zip(points.tolist(), normals.tolist(), strict=True)):
+        found = other.tree.find_nearest(point, near)
+        if found[0] is not None and not _facing(found, normal):  # the other side of something thin
+            around = _by_distance(other.tree.find_nearest_range(point, near))
+            found = next((f for f in around if _facing(f, normal)), (None,))
+        if found[0] is not None:
+            place[i], triangle[i] = found[0], found[2]
+    return cp.SurfaceMap(triangle, _barycentric(other.vertices[other.triangles[triangle]], place, triangle >= 0))
 
 
 def _are_within(reach: float, active: Surface, selected: Surface) -> bool:
     for surface, other in ((selected, active), (active, selected)):
         step = max(1, len(surface.vertices) // N_LOOKED_AT)
-        found = _nearest(surface, other, reach * active.size, slice(None, None, step))
+        found = nearest_points(surface, other, reach * active.size, slice(None, None, step))
         if (found.triangle >= 0).mean() < SHARE:
             return False
     return True
@@ -52,21 +67,6 @@ def _torn_share(surface: Surface, other: Surface, points: cp.SurfaceMap) -> floa
     edges = surface.edges[(points.triangle[surface.edges] >= 0).all(axis=1)]
     before, after = (np.linalg.norm(np.diff(p[edges], axis=1)[:, 0], axis=1) for p in (surface.vertices, images))
     return float((after > STRETCH * before + SLIP * other.size).mean()) if len(edges) else 1.0
-
-
-def _nearest(surface: Surface, other: Surface, near: float, which: slice) -> cp.SurfaceMap:
-    """The nearest points of the other surface within this distance, for some of the vertices."""
-    points, normals = surface.vertices[which], cp.vertex_normals(surface.mesh())[which]
-    triangle = np.full(len(points), -1, np.int32)
-    place = points.copy()
-    for i, (point, normal) in enumerate(zip(points.tolist(), normals.tolist(), strict=True)):
-        found = other.tree.find_nearest(point, near)
-        if found[0] is not None and not _facing(found, normal):  # the other side of something thin
-            around = _by_distance(other.tree.find_nearest_range(point, near))
-            found = next((f for f in around if _facing(f, normal)), (None,))
-        if found[0] is not None:
-            place[i], triangle[i] = found[0], found[2]
-    return cp.SurfaceMap(triangle, _barycentric(other.vertices[other.triangles[triangle]], place, triangle >= 0))
 
 
 def _facing(found, normal: list[float]) -> bool:

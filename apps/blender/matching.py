@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import counterpart3d as cp
 import numpy as np
 
@@ -11,6 +13,7 @@ from .in_place import match_near, match_touching
 from .job import Progress, part_of
 from .moved import match_moved
 from .pairs import Pair, question
+from .sculpted import match_sculpted
 from .stored_map import StoredMap, points_at_vertices
 
 DECLARED = ("source", "target", "both")  # values of `part`: one object shows more than the other
@@ -18,6 +21,7 @@ TURNS = (
     "turned otherwise the surfaces lie on each other as well, see the runner-up; 'Facing the Same Way' or a landmark "
     "pair decides"
 )
+NEAR_MOVED = "the surfaces lie near each other when moved as a match by shape says"
 
 
 def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
@@ -43,7 +47,7 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
     )
     vertex = np.asarray(result.target_from_source, np.int32)
     found = result.spectral or result.partial
-    return StoredMap(
+    by_shape = StoredMap(
         vertex,
         _points(pair, vertex),
         np.asarray(result.confidence, np.float32),
@@ -54,6 +58,8 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         reason="; ".join(_said(message) for message in (*result.verdict.reasons[:2], *result.causes[:1])),
         notices="; ".join(_said(message) for message in result.notices),
     )
+    may_lie = result.spectral and options.part not in DECLARED and not len(pair.landmarks)
+    return _where_it_lies(pair, by_shape) if may_lie else by_shape
 
 
 def match_pairs(pairs: list[Pair], progress: Progress) -> list[StoredMap]:
@@ -92,6 +98,17 @@ def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> S
         notices="the surfaces lie on or near each other, or on each other when moved",
     )
     return StoredMap(vertex, maps[0], confidence, others[0] if others else None, **asked, **said)
+
+
+def _where_it_lies(pair: Pair, by_shape: StoredMap) -> StoredMap:
+    """A copy that was sculpted and stands elsewhere takes the nearest points, as it does in place. Which way it lies
+    was found by shape, and so the verdict stays."""
+    points = match_sculpted(pair.active, pair.selected, by_shape.points)
+    if points is None:
+        return by_shape
+    vertex = cp.nearest_corners(pair.active.mesh(), points)
+    confidence = (vertex >= 0).astype(np.float32)
+    return replace(by_shape, vertex=vertex, points=points, confidence=confidence, method="in place", notices=NEAR_MOVED)
 
 
 def _said(message: cp.Message) -> str:

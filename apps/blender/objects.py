@@ -54,6 +54,11 @@ class Surface:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @cached_property
+    def normals(self) -> np.ndarray:
+        """Of the vertices, (n, 3)."""
+        return cp.vertex_normals(self.mesh())
+
+    @cached_property
     def tree(self) -> BVHTree:
         """Finds the triangle nearest to a point."""
         return BVHTree.FromPolygons(self.vertices.tolist(), self.triangles.tolist())

@@ -89,7 +89,7 @@ def question(active: Surface, selected: Surface, landmarks: np.ndarray, options:
     return f"{selected.connectivity}>{active.connectivity} {known} {options.seen} {options.aligned} {options.part}"
 
 
-def can_be_kept(pair: Pair, found: StoredMap) -> bool:
+def can_be_kept(pair: Pair) -> bool:
     """Not of vertices that modifiers make, nor in the data of another file or of other objects."""
     mesh = pair.selected_object.data
-    return mesh.library is None and not is_shared(mesh) and len(found.vertex) == len(mesh.vertices)
+    return mesh.library is None and not is_shared(mesh) and len(pair.selected.vertices) == len(mesh.vertices)

@@ -45,4 +45,6 @@ def moved_copy(obj, beside, positions: np.ndarray, moves: dict[str, np.ndarray])
     copy.data.update()
     for collection in beside.users_collection:
         collection.objects.link(copy)
+    if copy.select_get():  # else the next operator would take it as one of its objects
+        copy.select_set(False)
     return copy

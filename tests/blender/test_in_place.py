@@ -9,7 +9,8 @@ import characters as c
 import numpy as np
 from counterpart_extension.in_place import match_near
 from counterpart_extension.objects import read_surface
-from counterpart_extension.stored_map import stored
+from counterpart_extension.sculpted import match_sculpted
+from counterpart_extension.stored_map import points_at_vertices, stored
 from mathutils import Matrix
 
 TURNED = Matrix.Translation((5, 2, 0)) @ Matrix.Rotation(0.2, 4, "Z")
@@ -99,3 +100,32 @@ def test_near_is_not_enough():
 def test_sculpted_is_near(hero):
     found = matched(hero, c.remeshed(c.sculpted(hero, "Fuller"), "Other"))
     assert (found.method, found.verdict) == ("in place", "use")
+
+
+def test_a_sculpted_copy_is_laid_back():
+    """By a map that is wrong by a whole edge at each vertex, in any direction."""
+    active = read_surface(comb("A", 16))
+    matrix = np.array(TURNED)[:3, :3] * 3
+    bumps = 0.01 + 0.005 * np.sin(20 * active.vertices[:, :1])
+    swollen = replace(active, vertices=(active.vertices + bumps * active.normals) @ matrix.T + (1, 2, 3))
+    image = np.arange(len(active.vertices), dtype=np.int32)
+    rng = np.random.default_rng(0)
+    for edge in rng.permutation(active.edges)[::3].tolist():
+        image[edge[0]] = edge[1]
+    found = match_sculpted(active, swollen, points_at_vertices(active, image))
+    feet = np.einsum("vc,vci->vi", found.weights, active.vertices[active.triangles[found.triangle]])
+    off = np.linalg.norm(feet - active.vertices, axis=1)[found.triangle >= 0]
+    assert (found.triangle >= 0).mean() > 0.97
+    assert np.median(off) < 0.001 and np.percentile(off, 97) < 0.012  # an edge: creases are swollen over
+
+
+def test_a_slight_pose_is_not_laid_back(hero):
+    """All of a bent head is near, but not where it should be."""
+    active = read_surface(hero)
+    bone = hero.parent.pose.bones["neck to head"]
+    bone.rotation_mode, bone.rotation_euler = "XYZ", (0.2, 0, 0)
+    bpy.context.view_layer.update()
+    posed = read_surface(hero, bpy.context.evaluated_depsgraph_get())
+    assert match_near(active, posed) is not None
+    same = points_at_vertices(active, np.arange(len(active.vertices), dtype=np.int32))
+    assert match_sculpted(active, posed, same) is None

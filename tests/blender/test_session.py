@@ -3,15 +3,19 @@
 """Undo, cancel, save and load, refusals: whatever happens, a person's work is as it was or as it should be."""
 
 import shutil
+import threading
 import types
+from dataclasses import replace
 
 import bpy
 import characters as c
 import counterpart3d as cp
 import numpy as np
 import pytest
+from counterpart_extension import matching, operators
 from counterpart_extension.job import Job
 from counterpart_extension.operators.with_map import WithMap
+from counterpart_extension.pairs import Options, read_pair
 from counterpart_extension.stored_map import stored
 from digest import differences, everything
 from mathutils import Matrix
@@ -58,7 +62,7 @@ def test_a_kept_map_is_used(hero, monkeypatch):
     other = c.remeshed(hero, "Other")
     c.only(hero, other)
     bpy.ops.counterpart.match()
-    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", None)
+    monkeypatch.setattr("counterpart_extension.matching.match_pair", None)
     assert bpy.ops.counterpart.transfer() == {"FINISHED"}
     assert bpy.ops.counterpart.show(what="MAP") == {"FINISHED"}
 
@@ -70,7 +74,7 @@ def test_a_kept_map_goes_with_other_faces(hero, monkeypatch):
     other.vertex_groups.new(name="landmark 1").add([0], 1, "REPLACE")
     hero.vertex_groups.new(name="landmark 1").add([0], 1, "REPLACE")
     asked = []
-    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", lambda pair: asked.append(pair) or 1 / 0)
+    monkeypatch.setattr("counterpart_extension.matching.match_pair", lambda pair, _: asked.append(pair) or 1 / 0)
     with pytest.raises(RuntimeError, match="ZeroDivisionError"):
         bpy.ops.counterpart.transfer()
     assert len(asked) == 1 and len(asked[0].landmarks) == 1
@@ -113,11 +117,13 @@ class Pressed(WithMap):
     def __init__(self):
         self.said = []
         self.done = []
+        self.computed = []
 
     def report(self, kind, sentence):
         self.said.append((*kind, sentence))
 
-    def prepare(self, context, pair, found):
+    def prepare(self, context, pair, found, computed):
+        self.computed.append(computed)
         return lambda: self.done.append(found) or []
 
 
@@ -173,23 +179,114 @@ def test_escape_changes_nothing(hero):
     assert pressed.said == [("INFO", "Pressed: canceled, nothing was changed")]
 
 
+class Lengthy(Pressed):
+    """Something that takes long once the map is known."""
+
+    def __init__(self):
+        super().__init__()
+        self.reached, self.go_on = threading.Event(), threading.Event()
+
+    def computation(self, pairs):
+        def compute(found, progress):
+            self.reached.set()
+            self.go_on.wait()
+            if progress is not None and not progress(0.5):
+                raise cp.Canceled("canceled")
+            return ["computed" for _ in found]
+
+        return compute
+
+
+@pytest.mark.parametrize("kept", [False, True])
+def test_what_takes_long_runs_beside_blender(hero, kept):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    if kept:
+        bpy.ops.counterpart.match()
+    pressed, window = Lengthy(), a_window()
+    assert pressed.invoke(window, event("LEFTMOUSE")) == {"RUNNING_MODAL"}
+    pressed.reached.wait()
+    assert pressed.modal(window, event("TIMER")) == {"RUNNING_MODAL"} and pressed.done == []
+    pressed.go_on.set()
+    pressed._job.wait()
+    assert pressed._job.fraction == (0.5 if kept else 0.75)
+    assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert pressed.computed == ["computed"] and len(pressed.done) == 1
+
+
+def test_escape_is_heard_once_the_map_is_there_too(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    before = everything()
+    pressed, window = Lengthy(), a_window()
+    pressed.invoke(window, event("LEFTMOUSE"))
+    pressed.reached.wait()
+    pressed.modal(window, event("ESC"))
+    pressed.go_on.set()
+    pressed._job.wait()
+    assert pressed.modal(window, event("TIMER")) == {"CANCELLED"}
+    assert pressed.done == [] and differences(before, everything()) == []
+
+
+@pytest.mark.parametrize("name", ["fit", "join_shape_keys", "in_betweens"])
+def test_computations_report_and_can_be_canceled(hero, name):
+    """Those of the operators themselves, at each step that they report."""
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    pair = read_pair(hero, other, Options(), None)
+    own = types.SimpleNamespace(stiffness=1, place="WORLD", count=2)
+    kind = {cls.bl_idname: cls for cls in operators.CLASSES}[f"counterpart.{name}"]
+    compute = kind.computation(own, [pair])
+    said = []
+    compute([pair.kept], lambda fraction: said.append(fraction) or True)
+    assert len(said) > 3 and said == sorted(said) and said[0] >= 0 and said[-1] <= 1
+    for limit in (0, 0.1, 0.4):
+        with pytest.raises(cp.Canceled):
+            compute([pair.kept], lambda fraction, limit=limit: fraction < limit)
+
+
 def test_closing_the_dialog_is_no_error(hero):
     Pressed().cancel(a_window())
 
 
-def test_a_doubtful_map_is_told_before_anything_is_changed(hero):
+@pytest.mark.parametrize("kind", [Pressed, Lengthy])
+def test_a_doubtful_map_is_told_before_anything_is_changed(hero, monkeypatch, kind):
+    """And before anything is computed with it."""
     other = c.remeshed(hero, "Other")
     c.only(hero, other)
-    pressed, window = Pressed(), a_window()
+    real = matching.match_pair
+    doubted = {"verdict": "check", "reason": "left may be right"}
+    monkeypatch.setattr(matching, "match_pair", lambda *each: replace(real(*each), **doubted))
+    pressed, window = kind(), a_window()
     pressed.invoke(window, event("LEFTMOUSE"))
     pressed._job.wait()
-    from dataclasses import replace
-
-    pressed._job.result = [replace(pressed._job.result[0], verdict="check", reason="left may be right")]
     assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
-    assert pressed.done == []
+    assert pressed.done == [] and pressed.computed == []
     assert pressed.said[0][0] == "WARNING" and "left may be right" in pressed.said[0][1]
     assert stored(other.data).verdict == "check"
+
+
+@pytest.mark.parametrize("kind", [Pressed, Lengthy])
+def test_pressed_again_asks_and_goes_on_when_confirmed(hero, kind):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    other.data["counterpart"]["verdict"] = "do not use"
+    pressed, window = kind(), a_window()
+    window.window_manager.invoke_props_dialog = lambda op, **_: {"RUNNING_MODAL"}
+    pressed.invoke(window, event("LEFTMOUSE"))
+    assert pressed.done == [] and pressed.use_doubtful
+    if kind is Pressed:
+        assert pressed.execute(window) == {"FINISHED"}
+    else:
+        assert pressed.execute(window) == {"RUNNING_MODAL"}
+        pressed.go_on.set()
+        pressed._job.wait()
+        assert pressed.modal(window, event("TIMER")) == {"FINISHED"}
+    assert len(pressed.done) == 1
+    pressed.execute(window)  # with other options: at once
+    assert len(pressed.done) == 2
 
 
 def test_a_rejected_map_needs_consent(hero, monkeypatch):
@@ -198,7 +295,7 @@ def test_a_rejected_map_needs_consent(hero, monkeypatch):
     bpy.ops.counterpart.match()
     other.data["counterpart"]["verdict"] = "do not use"
     rejected = stored(other.data)
-    monkeypatch.setattr("counterpart_extension.operators.with_map.match_pair", lambda pair: rejected)
+    monkeypatch.setattr("counterpart_extension.matching.match_pair", lambda pair, _: rejected)
     assert bpy.ops.counterpart.match() == {"FINISHED"}
     before = everything()
     with pytest.raises(RuntimeError, match="Use Doubtful Maps"):

@@ -27,6 +27,14 @@ def test_fit_makes_an_object_on_the_surface(hero):
     assert made.data != hero.data
 
 
+def test_fit_leaves_the_selection(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.fit()
+    assert "Other fit" in bpy.data.objects
+    assert set(bpy.context.selected_objects) == {hero, other} and bpy.context.active_object == hero
+
+
 @pytest.mark.parametrize("scale", [1, 100])
 def test_fitted_shape_keys_turn_with_the_surface(hero, scale):
     """To the side of the scene on a scan that looks there; as large as the scan."""

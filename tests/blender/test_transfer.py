@@ -71,6 +71,19 @@ def test_other_meshes_sculpted(hero, make):
     assert worst_key(other, places) < 0.005
 
 
+@pytest.mark.parametrize("make", [c.remeshed, c.decimated])
+def test_other_meshes_sculpted_and_moved(hero, make):
+    """Turned, moved and scaled: not the swelling, but how the copy lies must be found."""
+    fuller = c.sculpted(hero, "Fuller")
+    other = make(fuller, "Other")
+    places = c.places_on(fuller, other, c.positions(hero))
+    other.matrix_world = ELSEWHERE @ Matrix.Diagonal((2.5, 2.5, 2.5, 1))
+    transfer(hero, other)
+    errors = weight_errors(other, places)
+    assert errors.mean() < 0.01 and np.percentile(errors, 95) < 0.03
+    assert worst_key(other, places) < 0.006
+
+
 def test_materials_and_smooth_shading(hero):
     other = c.remeshed(hero, "Other")
     transfer(hero, other)
@@ -121,6 +134,16 @@ def test_the_rig_works_at_once(hero):
     assert other.parent == hero.parent
     pose_hand(hero.parent)
     assert far_apart(hero, other) < 0.01 * c.HEIGHT
+
+
+def test_modifiers_come_in_the_order_of_the_active_object(hero):
+    hero.modifiers.new("Subdivision", "SUBSURF")
+    hero.modifiers.new("Soft", "SMOOTH")
+    other = c.remeshed(hero, "Other")
+    for name, kind in (("Soft", "SMOOTH"), ("Mine", "MIRROR"), ("Subdivision", "SUBSURF")):
+        other.modifiers.new(name, kind)
+    transfer(hero, other)
+    assert other.modifiers.keys() == ["Mine", "Armature", "Subdivision", "Soft"]
 
 
 def test_copies_that_stand_elsewhere_are_moved_into_the_rig(hero):

@@ -58,13 +58,14 @@ def onto_active(selected, carrier: Carrier) -> tuple[Matrix, list[str]]:
     if left > OTHER_POSE:
         notices.append(
             f"'{selected.name}' has another pose or size than the active object: {left:.0%} of the size is left "
-            "between them, so the bones are not inside it; pose it alike first"
+            "between them, so the bones are not inside it; pose and scale it alike first"
         )
     return Matrix(turn) @ selected.matrix_world, notices
 
 
 def copy_modifiers(active, selected) -> list[str]:
-    left = []
+    """In the order of the active object, also where the selected one has some of them."""
+    left, last = [], -1
     for modifier in active.modifiers:
         if modifier.type in OF_ONE_MESH or is_bound(modifier):
             left.append(modifier.name)
@@ -73,6 +74,10 @@ def copy_modifiers(active, selected) -> list[str]:
         if ours is None or ours.type != modifier.type:
             ours = selected.modifiers.new(modifier.name, modifier.type)
         copy_settings(modifier, ours)
+        place = selected.modifiers.find(ours.name)
+        if place < last:
+            selected.modifiers.move(place, last)
+        last = max(place, last)
     if left:
         names = ", ".join(f"'{name}'" for name in left)
         return [f"Modifiers that belong to one mesh were left out: {names}"]

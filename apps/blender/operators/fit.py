@@ -12,7 +12,7 @@ import numpy as np
 from ..carried.shape_keys import displacements, moved_displacements
 from ..carrier import Carrier
 from ..pairs import Pair
-from ..shapes import PLACES, active_in_shape_of, placed
+from ..shapes import PLACES, active_in_shapes_of, placed
 from ..stored_map import unmoved
 from ..writing import add_shape_key, moved_copy
 from .with_map import WithMap
@@ -50,8 +50,11 @@ class COUNTERPART_OT_fit(WithMap, bpy.types.Operator):
     def writes_active(self):
         return self.result == "SHAPE_KEY"
 
-    def prepare(self, context, pair, found):
-        points = active_in_shape_of(pair, found, self.stiffness)
+    def computation(self, pairs):
+        stiffness = self.stiffness
+        return lambda found, progress: active_in_shapes_of(pairs, found, progress, stiffness)
+
+    def prepare(self, context, pair, found, points):
         active, selected = pair.active_object, pair.selected_object
         if self.result == "SHAPE_KEY":
             shape = pair.active.to_local(placed(points, self.place, pair))

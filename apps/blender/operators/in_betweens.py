@@ -9,7 +9,9 @@ import counterpart3d as cp
 import numpy as np
 
 from ..animation import key_value, make_linear
-from ..shapes import PLACES, active_in_shape_of, placed
+from ..job import Progress, part_of
+from ..pairs import Pair
+from ..shapes import PLACES, active_in_shapes_of, placed
 from ..writing import add_shape_key
 from .with_map import WithMap
 
@@ -27,16 +29,18 @@ class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
     frames: bpy.props.IntProperty(name="Frames from Shape to Shape", default=3, min=1, max=100)
     place: bpy.props.EnumProperty(name="Place", items=PLACES)
 
-    def prepare_all(self, context, pairs, found):
-        obj, active, start = pairs[0].active_object, pairs[0].active, context.scene.frame_current
-        shapes: dict[str, np.ndarray] = {}
-        before = active.vertices
-        for pair, answer in sorted(zip(pairs, found, strict=True), key=lambda each: each[0].selected_object.name):
-            name, last = pair.selected_object.name, placed(active_in_shape_of(pair, answer), self.place, pair)
-            for i, points in enumerate(between(before, last, active.triangles, self.count), 1):
-                shapes[f"{name} {i}/{self.count + 1}"] = active.to_local(points)
-            shapes[name] = active.to_local(last)
-            before = last
+    def computation(self, pairs):
+        names, place, count = [pair.selected_object.name for pair in pairs], self.place, self.count
+
+        def compute(found, progress):
+            points = active_in_shapes_of(pairs, found, part_of(progress, 0, 0.5))
+            goals = {name: placed(p, place, pair) for name, p, pair in zip(names, points, pairs, strict=True)}
+            return [all_between(pairs[0], goals, count, part_of(progress, 0.5, 1))]
+
+        return compute
+
+    def prepare_all(self, context, pairs, found, computed):
+        obj, (shapes,), start = pairs[0].active_object, computed, context.scene.frame_current
 
         def write():
             keys = [add_shape_key(obj, name, shape) for name, shape in shapes.items()]
@@ -46,9 +50,25 @@ class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
         return [write]
 
 
-def between(first: np.ndarray, last: np.ndarray, triangles: np.ndarray, count: int) -> list[np.ndarray]:
+def all_between(pair: Pair, goals: dict[str, np.ndarray], count: int, progress: Progress) -> dict[str, np.ndarray]:
+    """From the active object through all goals, by their names, each with what lies before it; in its coordinates."""
+    shapes: dict[str, np.ndarray] = {}
+    before = pair.active.vertices
+    for done, (name, last) in enumerate(sorted(goals.items())):
+        part = part_of(progress, done / len(goals), (done + 1) / len(goals))
+        for i, points in enumerate(between(before, last, pair.active.triangles, count, part), 1):
+            shapes[f"{name} {i}/{count + 1}"] = pair.active.to_local(points)
+        shapes[name] = pair.active.to_local(last)
+        before = last
+    return shapes
+
+
+def between(
+    first: np.ndarray, last: np.ndarray, triangles: np.ndarray, count: int, progress: Progress = None
+) -> list[np.ndarray]:
     same = np.arange(len(last), dtype=np.int32)
-    return list(cp.morph(cp.Mesh(first, triangles), cp.Mesh(last, triangles), same, count=count).frames)
+    ends = cp.Mesh(first, triangles), cp.Mesh(last, triangles)
+    return list(cp.morph(*ends, same, count=count, progress=progress).frames)
 
 
 def play(block, keys, start: int, step: int) -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..shapes import PLACES, active_in_shape_of, placed
+from ..shapes import PLACES, active_in_shapes_of, placed
 from ..writing import add_shape_key
 from .with_map import WithMap
 
@@ -21,8 +21,11 @@ class COUNTERPART_OT_join_shape_keys(WithMap, bpy.types.Operator):
 
     place: bpy.props.EnumProperty(name="Place", items=PLACES)
 
-    def prepare(self, context, pair, found):
-        shape = pair.active.to_local(placed(active_in_shape_of(pair, found), self.place, pair))
+    def computation(self, pairs):
+        return lambda found, progress: active_in_shapes_of(pairs, found, progress)
+
+    def prepare(self, context, pair, found, points):
+        shape = pair.active.to_local(placed(points, self.place, pair))
 
         def write():
             add_shape_key(pair.active_object, pair.selected_object.name, shape)

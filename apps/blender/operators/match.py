@@ -17,5 +17,5 @@ class COUNTERPART_OT_match(WithMap, bpy.types.Operator):
     trusts = False
     uses_kept = False  # whoever presses it again has sculpted or moved something
 
-    def prepare(self, context, pair, found):
+    def prepare(self, context, pair, found, computed):
         return lambda: []  # the base keeps the map

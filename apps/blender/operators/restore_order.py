@@ -25,7 +25,7 @@ class COUNTERPART_OT_restore_order(WithMap, bpy.types.Operator):
     bl_idname = "counterpart.restore_order"
     bl_label = "Restore Order"
 
-    def prepare(self, context, pair, found):
+    def prepare(self, context, pair, found, computed):
         obj = pair.selected_object
         if not found.is_one_to_one:
             raise Refused(

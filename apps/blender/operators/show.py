@@ -30,7 +30,7 @@ class COUNTERPART_OT_show(WithMap, bpy.types.Operator):
         ),
     )
 
-    def prepare(self, context, pair, found):
+    def prepare(self, context, pair, found, computed):
         if self.what == "RUNNER_UP" and found.runner_up is None:
             raise Refused(f"The map of '{pair.selected_object.name}' has no runner-up")
         name = getattr(show_colors, self.what)

@@ -44,7 +44,7 @@ class COUNTERPART_OT_transfer(WithMap, bpy.types.Operator):
         default=True,
     )
 
-    def prepare(self, context, pair, found):
+    def prepare(self, context, pair, found, computed):
         active, selected = pair.active_object, pair.selected_object
         carrier = Carrier(pair.active, pair.selected, found)
         writes = []

@@ -13,9 +13,9 @@ from dataclasses import replace
 import bpy
 import counterpart3d as cp
 
-from ..job import Job
+from ..job import Job, Progress, part_of
 from ..landmarks import not_paired
-from ..matching import match_pair, match_pairs
+from ..matching import match_pairs
 from ..objects import Refused, require_editable
 from ..pairs import Options, Pair, can_be_kept, read_pair
 from ..stored_map import StoredMap, store
@@ -28,6 +28,9 @@ PARTS = (
     ("both", "Both Are Parts", "They show parts of one thing that overlap"),
     ("neither", "Both Are Whole", "Both show the whole, with holes or fused parts"),
 )
+
+
+Computation = Callable[[list[StoredMap], Progress], list]
 
 
 class WithMap:
@@ -58,14 +61,18 @@ class WithMap:
         options={"SKIP_SAVE"},
     )
 
-    def prepare(self, context, pair: Pair, found: StoredMap) -> Callable[[], list[str]]:
-        """Reads and computes all that is needed and changes nothing; what it returns changes the objects, and returns
-        notices."""
+    def computation(self, pairs: list[Pair]) -> Computation | None:
+        """What takes long: a function that touches nothing of Blender's, since it runs beside it, can be canceled, and
+        returns something for each pair."""
+        return None
+
+    def prepare(self, context, pair: Pair, found: StoredMap, computed) -> Callable[[], list[str]]:
+        """Reads all that is needed and changes nothing; what it returns changes the objects, and returns notices."""
         raise NotImplementedError
 
-    def prepare_all(self, context, pairs: list[Pair], found: list[StoredMap]) -> list[Callable[[], list[str]]]:
+    def prepare_all(self, context, pairs: list[Pair], found: list[StoredMap], computed: list) -> list[Callable]:
         """`prepare` for each; those that need them all at once override it."""
-        return [self.prepare(context, pair, answer) for pair, answer in zip(pairs, found, strict=True)]
+        return [self.prepare(context, *each) for each in zip(pairs, found, computed, strict=True)]
 
     @classmethod
     def poll(cls, context):
@@ -88,14 +95,17 @@ class WithMap:
                 return self._start(context, pairs)
             if self.trusts and any(pair.kept.verdict != "use" for pair in pairs):
                 return self._ask(context, pairs)
-            return self.execute(context)
+            return self._begin(context, pairs)
         return {"CANCELLED"}
 
     def execute(self, context):
         with self._refusing():
             pairs = self._pairs(context)
-            found = [pair.kept or match_pair(pair) for pair in pairs]
-            return self._finish(context, pairs, found)
+            if self._was_asked():
+                return self._begin(context, pairs)
+            found = match_pairs(pairs, None)
+            self._require_trust(pairs, found)
+            return self._finish(context, pairs, found, self._computed(pairs)(found, None))
         return {"CANCELLED"}
 
     def modal(self, context, event):
@@ -110,7 +120,7 @@ class WithMap:
                 return self._matched(context)
             return {"CANCELLED"}
         if event.type == "TIMER" and not self._job.is_canceled:
-            context.workspace.status_text_set(f"{self.bl_label}: matching, {self._job.fraction:.0%}     Esc: cancel")
+            context.workspace.status_text_set(f"{self.bl_label}: {self._job.fraction:.0%}     Esc: cancel")
         return {"RUNNING_MODAL"}  # nothing else may change the objects meanwhile
 
     def cancel(self, context):
@@ -139,39 +149,69 @@ class WithMap:
 
     def _start(self, context, pairs):
         self._matching = pairs
-        self._job = Job(lambda progress: match_pairs(pairs, progress))
+        self._job = Job(self._work(pairs))
         self._timer = context.window_manager.event_timer_add(0.1, window=context.window)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}
+
+    def _begin(self, context, pairs):
+        """All maps are there."""
+        if self.computation(pairs) is not None:
+            return self._start(context, pairs)
+        return self._finish(context, pairs, [pair.kept for pair in pairs], [None] * len(pairs))
+
+    def _work(self, pairs):
+        """For a job: the maps, and what is computed with them, unless a doubt is told first."""
+        compute, matches = self._computed(pairs), any(pair.kept is None for pair in pairs)
+        tells = [self.trusts and matches and can_be_kept(pair) for pair in pairs]
+        share = 1 if self.computation(pairs) is None else 0.5 if matches else 0
+
+        def work(progress):
+            found = match_pairs(pairs, part_of(progress, 0, share))
+            doubted = any(tell and answer.verdict != "use" for tell, answer in zip(tells, found, strict=True))
+            return found, None if doubted else compute(found, part_of(progress, share, 1))
+
+        return work
+
+    def _computed(self, pairs) -> Computation:
+        return self.computation(pairs) or (lambda found, progress: [None] * len(pairs))
+
+    def _was_asked(self) -> bool:
+        """Once: options that are changed later run at once."""
+        asked = getattr(self, "_asked", False)
+        self._asked = False
+        return asked
 
     def _ask(self, context, pairs):
         """The dialog with the verdicts: nothing is changed unless it is confirmed."""
         self._doubts = [
             f"{pair.selected_object.name}, {pair.kept.sentence}" for pair in pairs if pair.kept.verdict != "use"
         ]
-        self.use_doubtful = True  # whoever confirms wants that
+        self.use_doubtful = self._asked = True  # whoever confirms wants that
         return context.window_manager.invoke_props_dialog(
             self, width=480, title="Look at the Map before Using It", confirm_text="Use It All the Same"
         )
 
     def _matched(self, context):
         """The maps are kept as a step of their own, which stays when the operator is undone or gets other options."""
-        found = self._job.result
-        kept = [(pair, answer) for pair, answer in zip(self._matching, found, strict=True) if can_be_kept(pair, answer)]
-        for pair, answer in kept:
+        found, computed = self._job.result
+        kept = [each for each in zip(self._matching, found, strict=True) if can_be_kept(each[0])]
+        made = [(pair, answer) for pair, answer in kept if answer is not pair.kept]
+        for pair, answer in made:
             store(pair.selected_object.data, answer)
-        bpy.ops.ed.undo_push(message="Match")
-        doubts = [(pair, answer) for pair, answer in kept if answer.verdict != "use"]
-        if doubts and self.trusts:
-            for notice in _unused_landmarks(self._matching):
-                self.report({"WARNING"}, notice)
-            for pair, answer in doubts:
+        if made:
+            bpy.ops.ed.undo_push(message="Match")
+        if computed is not None:
+            return self._finish(context, self._matching, found, computed)
+        for notice in _unused_landmarks(self._matching):
+            self.report({"WARNING"}, notice)
+        for pair, answer in kept:
+            if answer.verdict != "use":
                 self.report(
                     {"WARNING"},
                     f"'{pair.selected_object.name}', {answer.sentence}. Nothing was changed: press again to go on",
                 )
-            return {"FINISHED"}
-        return self._finish(context, self._matching, found)
+        return {"FINISHED"}
 
     def _pairs(self, context) -> list[Pair]:
         active = context.active_object
@@ -186,13 +226,16 @@ class WithMap:
         pairs = [read_pair(active, obj, options, depsgraph, may_differ=self.may_differ) for obj in others]
         return pairs if self.uses_kept else [replace(pair, kept=None) for pair in pairs]
 
-    def _finish(self, context, pairs: list[Pair], found: list[StoredMap]):
+    def _require_trust(self, pairs: list[Pair], found: list[StoredMap]) -> None:
         for pair, answer in zip(pairs, found, strict=True):
             if self.trusts and answer.verdict == "do not use" and not self.use_doubtful:
                 raise Refused(
                     f"'{pair.selected_object.name}', {answer.sentence}. 'Use Doubtful Maps' goes on all the same"
                 )
-        changes = self.prepare_all(context, pairs, found)
+
+    def _finish(self, context, pairs: list[Pair], found: list[StoredMap], computed: list):
+        self._require_trust(pairs, found)
+        changes = self.prepare_all(context, pairs, found, computed)
         for pair, answer in zip(pairs, found, strict=True):
             if self.writes_selected and answer is not pair.kept:
                 store(pair.selected_object.data, answer)
