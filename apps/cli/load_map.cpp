@@ -96,7 +96,10 @@ FoundMap<VertexMap> matched(const MeshPair& pair, const CommonOptions& options, 
     Json report = judgment.report();
     report["matched_by"] = to_string(result.method);
     report["match_messages"] = to_json(result.messages);
-    return {result.target_from_source, report, result.confidence, runner_ups(result)};
+    std::vector<std::string> warnings;
+    for (const Message& message : result.messages)
+        if (message.severity != Severity::notice) warnings.push_back(named(message, pair));
+    return {result.target_from_source, report, result.confidence, warnings, runner_ups(result)};
 }
 
 FoundMap<SurfaceMap> surface_map_or_match(const std::filesystem::path& file, const MeshPair& pair,

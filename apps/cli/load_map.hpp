@@ -50,7 +50,8 @@ template <class Map>
 struct FoundMap {
     Map map;
     Json report = Json::object();
-    Vector confidence{};  ///< of each source vertex; empty if none is known
+    Vector confidence{};                  ///< of each source vertex; empty if none is known
+    std::vector<std::string> warnings{};  ///< what may be wrong with it, with the names of the files
     std::vector<std::pair<std::string, VertexMap>> runner_ups{};  ///< with what they are: "turned: 86 % ..."
 };
 

@@ -94,9 +94,9 @@ std::optional<ViewerValues> alike_parts(const TriangleMesh& source, const Triang
 // What match found, with its verdict, and the runner-ups by what they are.
 std::vector<ViewerMap> maps_to_show(const FoundMap<VertexMap>& found) {
     std::vector<ViewerMap> maps = {{"match", found.map}};
-    const std::string verdict = found.report.value("verdict", ""),
-                      reason = found.report.value("verdict_reason", "");
-    maps[0].evaluation = reason.empty() ? verdict : fmt::format("{}: {}", verdict, reason);
+    maps[0].verdict = found.report.value("verdict", "");
+    maps[0].warnings = found.warnings;
+    maps[0].confidence.assign(found.confidence.begin(), found.confidence.end());
     for (const auto& [description, map] : found.runner_ups) maps.push_back({description, map});
     return maps;
 }
@@ -148,9 +148,6 @@ void run(ViewCommand& command) {
         FoundMap<VertexMap> found = matched(pair, command.common);
         maps = maps_to_show(found);
         for (const ViewerMap& map : maps) loaded.push_back({map.target_from_source, std::nullopt});
-        if (found.confidence.size() > 0)
-            options.values.push_back(
-                {"confidence of match", {found.confidence.begin(), found.confidence.end()}});
         match_report = std::move(found.report);
     }
     if (command.up == "auto") command.up = guessed_up(source, command.common);

@@ -23,7 +23,7 @@ ViewerAppearance appearance_of(const Content& content) {
     return appearance;
 }
 
-// Each of `maps` has a targetFromSource and a description; `confidence` may be empty.
+// Each of `maps` has a targetFromSource and a description; `confidence`, of the first, may be empty.
 val scene_of(const Content& source, const Content& target, const std::string& source_name,
              const std::string& target_name, const val& maps, const val& confidence) {
     return guarded([&] {
@@ -31,9 +31,8 @@ val scene_of(const Content& source, const Content& target, const std::string& so
         for (unsigned i = 0; i < maps["length"].as<unsigned>(); ++i)
             shown.push_back({maps[i]["description"].as<std::string>(),
                              {numbers_of<Index>(maps[i]["targetFromSource"]), target.mesh().n_vertices()}});
+        if (!shown.empty()) shown[0].confidence = numbers_of<double>(confidence);
         ViewerOptions options{.source_name = source_name, .target_name = target_name};
-        if (std::vector<double> values = numbers_of<double>(confidence); !values.empty())
-            options.values.push_back({"confidence", std::move(values)});
         options.source_appearance = appearance_of(source);
         options.target_appearance = appearance_of(target);
         options.up = render::find_camera(source.mesh(),

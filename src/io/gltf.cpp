@@ -181,7 +181,7 @@ GltfFile surface_of_object(const GltfDocument& document, const std::vector<GltfP
         static_cast<std::size_t>(std::find(objects.of_triangle.begin(), objects.of_triangle.end(), object) -
                                  objects.of_triangle.begin());
     const std::size_t mesh = primitives[static_cast<std::size_t>(whole.parts[triangle])].mesh;
-    GltfFile file = surface_of(std::make_shared<const GltfContent>(with_only_mesh(document, mesh)));
+    GltfFile file = surface_of(with_only_mesh(document, mesh));
     file.notices.push_back(object_notice(objects.names, object, file.content.mesh));
     return file;
 }
@@ -207,10 +207,10 @@ GltfFile io::join_primitives(const GltfDocument& document, const std::vector<Glt
     return file;
 }
 
-GltfFile io::surface_of(std::shared_ptr<const GltfContent> document,
-                        const std::optional<std::string>& object) {
-    const GltfDocument& gltf = document->gltf();
+GltfFile io::surface_of(GltfDocument stored, const std::optional<std::string>& object) {
+    const std::string name = stored.name;
     try {
+        GltfDocument gltf = with_a_mesh_for_each_node(std::move(stored));
         std::vector<std::string> notices;
         const std::vector<GltfPrimitive> primitives = read_primitives(gltf, notices);
         GltfFile file = join_primitives(gltf, primitives);
@@ -220,17 +220,17 @@ GltfFile io::surface_of(std::shared_ptr<const GltfContent> document,
         require_valid(file.content.mesh);
         if (object)
             file.notices.push_back(object_notice(names, chosen_object(names, *object), file.content.mesh));
-        file.content.document = std::move(document);
+        file.content.document = std::make_shared<const GltfContent>(std::move(gltf));
         return file;
     } catch (const GltfJson::exception& error) {
-        gltf.fail(fmt::format("the JSON is not glTF ({})", error.what()));
+        throw IoError(fmt::format("{}: the JSON is not glTF ({})", name, error.what()));
     } catch (const InvalidInput& error) {
-        gltf.fail(error.what());
+        throw IoError(fmt::format("{}: {}", name, error.what()));
     }
 }
 
 GltfFile read_gltf(const std::filesystem::path& file, const ReadOptions& options) {
-    return surface_of(std::make_shared<const GltfContent>(load_gltf(file, options)), options.object);
+    return surface_of(load_gltf(file, options), options.object);
 }
 
 }  // namespace counterpart

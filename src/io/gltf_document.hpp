@@ -79,6 +79,7 @@ class GltfBudget {
     explicit GltfBudget(const GltfDocument& document);
     /// Throws IoError if so many numbers are not left.
     void take(std::int64_t rows, std::int64_t columns);
+    std::int64_t left() const { return left_; }
 
   private:
     std::string name_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf_primitives.hpp"
 
+#include "io/gltf_scene.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -9,73 +11,19 @@
 namespace counterpart::io {
 namespace {
 
-struct Placement {
-    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-    bool used = false;
-    std::int64_t node = -1;  // that uses it first
-};
-
-Eigen::Affine3d local_transform(const GltfDocument& document, const GltfJson& node) {
-    const auto numbers = [&](const char* key, std::vector<double> otherwise) {
-        if (!node.contains(key)) return otherwise;
-        auto values = node[key].get<std::vector<double>>();
-        if (values.size() != otherwise.size())
-            document.fail(fmt::format("a node's '{}' has the wrong length", key));
-        return values;
-    };
-    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-    if (node.contains("matrix")) {
-        const auto m = numbers("matrix", std::vector<double>(16, 0));
-        transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(m.data());
-        return transform;
-    }
-    const auto t = numbers("translation", {0, 0, 0}), r = numbers("rotation", {0, 0, 0, 1}),
-               s = numbers("scale", {1, 1, 1});
-    transform.translate(Eigen::Vector3d(t[0], t[1], t[2]));
-    transform.rotate(Eigen::Quaterniond(r[3], r[0], r[1], r[2]).normalized());
-    transform.scale(Eigen::Vector3d(s[0], s[1], s[2]));
-    return transform;
-}
-
-// Where the first node of the scene that holds each mesh puts it; skinned meshes stay as they are bound.
-std::vector<Placement> place_meshes(const GltfDocument& document, std::vector<std::string>& notices) {
-    std::vector<Placement> placements(document.count("meshes"));
-    std::vector<char> visited(document.count("nodes"), 0);
+// The first node of the scene that shows each mesh, by mesh; without a node where none does.
+std::vector<ShownMesh> first_shown(const GltfDocument& document, std::vector<std::string>& notices) {
+    std::vector<ShownMesh> first(document.count("meshes"));
     std::size_t repeated = 0;
-    struct Visit {
-        std::int64_t node;
-        Eigen::Affine3d parent;
-    };
-    std::vector<Visit> stack;
-    if (document.count("scenes") > 0) {
-        const GltfJson& scene = document.element("scenes", number_at(document, document.json, "scene", 0));
-        if (scene.contains("nodes")) {
-            for (const GltfJson& root : scene["nodes"])
-                stack.push_back({whole_number(document, root, "a node"), Eigen::Affine3d::Identity()});
-        }
-    }
-    std::reverse(stack.begin(), stack.end());
-    while (!stack.empty()) {
-        const Visit visit = stack.back();
-        stack.pop_back();
-        const GltfJson& node = document.element("nodes", visit.node);
-        if (visited[static_cast<std::size_t>(visit.node)]++) document.fail("the nodes do not form a tree");
-        const Eigen::Affine3d transform = visit.parent * local_transform(document, node);
-        if (node.contains("mesh")) {
-            const std::int64_t mesh = number_at(document, node, "mesh", 0);
-            document.element("meshes", mesh);
-            Placement& placement = placements[static_cast<std::size_t>(mesh)];
-            repeated += placement.used;
-            if (!placement.used && !node.contains("skin")) placement.transform = transform;
-            if (!placement.used) placement.node = visit.node;
-            placement.used = true;
-        }
-        if (!node.contains("children")) continue;
-        for (auto child = node["children"].rbegin(); child != node["children"].rend(); ++child)
-            stack.push_back({whole_number(document, *child, "a node"), transform});
+    for (const ShownMesh& shown : shown_meshes(document)) {
+        ShownMesh& of_mesh = first[static_cast<std::size_t>(shown.mesh)];
+        if (of_mesh.node < 0)
+            of_mesh = shown;
+        else
+            ++repeated;
     }
     if (repeated > 0) notices.push_back(fmt::format("{} further instances of meshes left out", repeated));
-    return placements;
+    return first;
 }
 
 Triangles triangles_of(const GltfDocument& document, const GltfJson& primitive, std::int64_t mode,
@@ -192,14 +140,14 @@ void put_in_place(GltfPrimitive& primitive) {
 }  // namespace
 
 std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::vector<std::string>& notices) {
-    const std::vector<Placement> placements = place_meshes(document, notices);
-    const bool scene_places_some =
-        std::any_of(placements.begin(), placements.end(), [](const Placement& p) { return p.used; });
+    const std::vector<ShownMesh> shown = first_shown(document, notices);
+    const bool scene_shows_some =
+        std::any_of(shown.begin(), shown.end(), [](const ShownMesh& s) { return s.node >= 0; });
     std::vector<GltfPrimitive> primitives;
     GltfBudget budget(document);
     std::size_t other = 0;
-    for (std::size_t m = 0; m < placements.size(); ++m) {
-        if (scene_places_some && !placements[m].used) continue;
+    for (std::size_t m = 0; m < shown.size(); ++m) {
+        if (scene_shows_some && shown[m].node < 0) continue;
         const GltfJson& mesh = document.element("meshes", static_cast<std::int64_t>(m));
         std::size_t number = 0;
         for (const GltfJson& json : mesh.at("primitives")) {
@@ -213,8 +161,8 @@ std::vector<GltfPrimitive> read_primitives(const GltfDocument& document, std::ve
             GltfPrimitive primitive = read_primitive(document, json, mode, what, budget);
             primitive.mesh = m;
             primitive.number = number - 1;
-            primitive.node = placements[m].node;
-            primitive.placement = placements[m].transform;
+            primitive.node = shown[m].node;
+            primitive.placement = shown[m].placement;
             put_in_place(primitive);
             primitives.push_back(std::move(primitive));
         }

@@ -42,7 +42,6 @@ GltfFile join_primitives(const GltfDocument& document, const std::vector<GltfPri
 
 /// What a document shows, with the document itself; of an object, one that shows nothing else. Throws
 /// IoError.
-GltfFile surface_of(std::shared_ptr<const GltfContent> document,
-                    const std::optional<std::string>& object = {});
+GltfFile surface_of(GltfDocument document, const std::optional<std::string>& object = {});
 
 }  // namespace counterpart::io

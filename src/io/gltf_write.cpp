@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/corner_rows.hpp"
 #include "io/formats.hpp"
+#include "io/gltf_layout.hpp"
 #include "io/gltf_morph_weights.hpp"
 #include "io/gltf_split.hpp"
 #include "io/gltf_store.hpp"
@@ -24,56 +25,35 @@ namespace {
 struct Stored {
     GltfDocument document;
     std::vector<GltfPrimitive> primitives;
-    GltfFile file;  // nothing if the document's primitives hold nothing yet
+    std::vector<Index> primitive_of_triangle;  // of the content that is to be written
+    GltfFile file;                             // nothing if the document's primitives hold nothing yet
 };
-
-// A plain material for each named part.
-void name_materials(const std::vector<std::string>& names, GltfJson& json) {
-    GltfJson& primitives = json["meshes"][0]["primitives"];
-    for (std::size_t part = 0; part < std::min(names.size(), primitives.size()); ++part) {
-        if (names[part].empty()) continue;
-        primitives[part]["material"] = json.contains("materials") ? json["materials"].size() : 0;
-        json["materials"].push_back({{"name", names[part]}});
-    }
-}
-
-// For a mesh that is from no glTF file: one node, one primitive for each part.
-Stored new_document(const AttributedMesh& content) {
-    Stored stored;
-    const Index last =
-        content.parts.empty() ? 0 : *std::max_element(content.parts.begin(), content.parts.end());
-    GltfJson primitives = GltfJson::array();
-    for (Index part = 0; part <= last; ++part) {
-        primitives.push_back({{"attributes", GltfJson::object()}});
-        stored.primitives.emplace_back().number = static_cast<std::size_t>(part);
-    }
-    stored.document.json = {{"asset", {{"version", "2.0"}, {"generator", "counterpart"}}},
-                            {"scene", 0},
-                            {"scenes", {{{"nodes", {0}}}}},
-                            {"nodes", {{{"mesh", 0}}}},
-                            {"meshes", {{{"primitives", std::move(primitives)}}}}};
-    name_materials(content.part_names, stored.document.json);
-    return stored;
-}
 
 Stored stored_content(const AttributedMesh& content) {
     const GltfDocument* document = gltf_of(content);
-    if (document == nullptr) return new_document(content);
-    Stored stored{*document, {}, {}};
+    if (document == nullptr) {
+        GltfLayout layout = layout_of(content);
+        return {std::move(layout.document),
+                std::move(layout.primitives),
+                std::move(layout.primitive_of_triangle),
+                {}};
+    }
+    Stored stored{*document, {}, content.parts, {}};
     std::vector<std::string> ignored;
     stored.primitives = read_primitives(stored.document, ignored);
     stored.file = join_primitives(stored.document, stored.primitives);
+    stored.primitive_of_triangle.resize(static_cast<std::size_t>(content.mesh.n_triangles()), 0);
     return stored;
 }
 
-std::vector<std::vector<Index>> triangles_of_parts(const AttributedMesh& content, std::size_t n_parts) {
-    std::vector<std::vector<Index>> triangles(n_parts);
-    for (Index t = 0; t < content.mesh.n_triangles(); ++t) {
-        const Index part = content.parts.empty() ? 0 : content.parts[static_cast<std::size_t>(t)];
-        if (part < 0 || static_cast<std::size_t>(part) >= n_parts)
-            throw InvalidInput(
-                fmt::format("triangle {} belongs to part {} where the file has {} parts", t, part, n_parts));
-        triangles[static_cast<std::size_t>(part)].push_back(t);
+std::vector<std::vector<Index>> triangles_of_primitives(const Stored& stored) {
+    std::vector<std::vector<Index>> triangles(stored.primitives.size());
+    for (std::size_t t = 0; t < stored.primitive_of_triangle.size(); ++t) {
+        const Index primitive = stored.primitive_of_triangle[t];
+        if (primitive < 0 || static_cast<std::size_t>(primitive) >= triangles.size())
+            throw InvalidInput(fmt::format("triangle {} belongs to part {} where the file has {} parts", t,
+                                           primitive, triangles.size()));
+        triangles[static_cast<std::size_t>(primitive)].push_back(static_cast<Index>(t));
     }
     return triangles;
 }
@@ -159,7 +139,7 @@ void remove_empty(Stored& stored, const std::vector<GltfPrimitive>& wanted) {
 
 void store(Stored& stored, const AttributedMesh& content) {
     MeshView before = stored.file.content.mesh;
-    const auto parts = triangles_of_parts(content, stored.primitives.size());
+    const auto parts = triangles_of_primitives(stored);
     const bool same_surface = before.n_vertices() == content.mesh.n_vertices() &&
                               before.n_triangles() == content.mesh.n_triangles() &&
                               before.triangles == content.mesh.triangles &&

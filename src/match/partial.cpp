@@ -37,6 +37,16 @@ void require_valid(const PartialOptions& options, MeshView source, MeshView targ
         throw InvalidInput(
             fmt::format("the number of samples must be from 200 to 5000, not {}", options.n_samples));
     spectral_match::require_valid(as_of_spectral(options), source.n_vertices(), target.n_vertices());
+    // Each of a part's samples and landmarks has 12 candidates, whose agreement with all others is kept.
+    constexpr int most_part_samples = 2000;
+    const int most_pairs = most_part_samples - options.n_samples / SurfaceTuning().samples_ratio;
+    for (const auto* pairs : {&options.landmarks, &options.excluded})
+        if (std::ssize(*pairs) > most_pairs)
+            throw InvalidInput(
+                fmt::format("{} {} pairs with {} samples: the agreement of all with all takes more than 2.3 "
+                            "GB; give at most {}, or a map of all to begin with",
+                            pairs->size(), pairs == &options.landmarks ? "landmark" : "excluded",
+                            options.n_samples, most_pairs));
 }
 
 TriangleMesh in_units(MeshView mesh, double unit) {
@@ -242,7 +252,8 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
             Stopwatch watch;
             Preprocessed a = cleaned(source, "source"), b = cleaned(target, "target");
             const Part part = options.part == Part::unknown ? seen_part(a.mesh, b.mesh) : options.part;
-            if (part != Part::neither) require_room_for_distances(a, b);
+            const int n_samples = options.n_samples + static_cast<int>(options.landmarks.size());
+            if (part != Part::neither) require_room_for_distances(a, b, n_samples);
             watch.lap("clean");
             if (part == Part::neither)
                 return match_fused(source, target, options, {}, std::move(watch), progress);

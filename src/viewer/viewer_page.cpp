@@ -63,13 +63,19 @@ std::size_t put_indices(const std::vector<Index>& indices, viewer::SceneBuffer& 
     return start;
 }
 
+std::size_t put_numbers(const std::vector<double>& numbers, viewer::SceneBuffer& buffer) {
+    const std::size_t start = buffer.start_array();
+    for (const double number : numbers) buffer.put(static_cast<float>(number));
+    return start;
+}
+
 Json put_map(const ViewerMap& map, viewer::SceneBuffer& buffer) {
     Json json = {{"name", map.name}, {"image_offset", put_indices(map.target_from_source.image(), buffer)}};
-    if (!map.error.empty()) {
-        json["error_offset"] = buffer.start_array();
-        for (const double error : map.error) buffer.put(static_cast<float>(error));
-    }
+    if (!map.error.empty()) json["error_offset"] = put_numbers(map.error, buffer);
+    if (!map.confidence.empty()) json["confidence_offset"] = put_numbers(map.confidence, buffer);
     if (!map.evaluation.empty()) json["evaluation"] = map.evaluation;
+    if (!map.verdict.empty()) json["verdict"] = map.verdict;
+    if (!map.warnings.empty()) json["warnings"] = map.warnings;
     return json;
 }
 
@@ -108,9 +114,13 @@ void require_fit(const ViewerMap& map, MeshView source, MeshView target) {
     } catch (const InvalidInput& error) {
         throw InvalidInput(fmt::format("map '{}': {}", map.name, error.what()));
     }
-    if (!map.error.empty() && map.error.size() != map.target_from_source.image().size())
-        throw InvalidInput(fmt::format("map '{}': {} errors for {} source vertices; give one for each",
-                                       map.name, map.error.size(), source.n_vertices()));
+    const auto require_one_each = [&](const std::vector<double>& numbers, const char* what) {
+        if (!numbers.empty() && numbers.size() != map.target_from_source.image().size())
+            throw InvalidInput(fmt::format("map '{}': {} {} for {} source vertices; give one for each",
+                                           map.name, numbers.size(), what, source.n_vertices()));
+    };
+    require_one_each(map.error, "errors");
+    require_one_each(map.confidence, "confidences");
 }
 
 void require_fit(const ViewerOptions& options, MeshView source, MeshView target) {
@@ -161,10 +171,8 @@ ViewerScene viewer_scene(MeshView source, MeshView target, const std::vector<Vie
     scene["maps"] = Json::array();
     for (const ViewerMap& map : maps) scene["maps"].push_back(put_map(map, buffer));
     scene["values"] = Json::array();
-    for (const ViewerValues& values : options.values) {
-        scene["values"].push_back({{"name", values.name}, {"offset", buffer.start_array()}});
-        for (const double value : values.values) buffer.put(static_cast<float>(value));
-    }
+    for (const ViewerValues& values : options.values)
+        scene["values"].push_back({{"name", values.name}, {"offset", put_numbers(values.values, buffer)}});
     if (!options.truth.empty()) scene["truth_offset"] = put_indices(options.truth, buffer);
     scene["base_vertex"] = options.base_vertex;
     scene["view_from_source"] = to_json(upright(options.up));

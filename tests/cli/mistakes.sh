@@ -174,3 +174,7 @@ run evaluate a.obj b.obj points.txt --truth truth.txt
 cmp -s out vertices || { diff out vertices; fail "a surface map is evaluated otherwise"; }
 run view a.obj b.obj --map points.txt --truth truth.txt -o v.html
 run render a.obj b.obj --map points.txt --truth truth.txt --show error -o e.png --size 128x96
+
+# ---- whoever reads the output may stop: no message, as of other programs ----
+{ "$program" manual man 2> err || true; } | true
+[ ! -s err ] || { cat err; fail "a reader that stops is complained of"; }

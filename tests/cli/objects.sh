@@ -71,6 +71,9 @@ objects_of() { grep -E "^[og] " "$1" | tr '\n' ','; }
 expect_objects() { [ "$(objects_of "$1")" = "$2" ] || fail "$1 has the objects $(objects_of "$1"), not $2"; }
 run convert a.obj converted.obj
 expect_objects converted.obj "o tip,o the body,"
+run convert a.obj a.glb
+run match a.glb b.obj --source-object "the body" --target-object Körper -o glb.txt
+cmp alone.txt glb.txt || fail "objects of OBJ are not nodes of glTF"
 run transfer body.obj a.obj --what none -o transferred.obj
 expect_objects transferred.obj "o tip,o the body,"
 run deform a.obj turned.ply --shuffle 5

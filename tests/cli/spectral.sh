@@ -177,14 +177,49 @@ cmp named.txt marked.txt || fail "named landmarks are other pairs"
 refuse 1 "target-landmarks" match body.off pose.off $fast --landmarks a.csv -o none.txt
 refuse 2 "landmarks" match body.off pose.off $fast --target-landmarks b.csv -o none.txt
 run landmarks body.off pose.off a.csv --map marked.txt -o carried.csv
+seq 0 $(($(wc -l < truth.txt) - 1)) > identity.txt
 python3 - << 'END'
 rows = lambda file: {n: [float(x) for x in p] for n, *p in (l.split(",") for l in open(file) if l.strip()) if p[0][-1:].isdigit()}
 b, carried = rows("b.csv"), rows("carried.csv")
 assert carried.keys() == b.keys(), carried
 assert all(abs(x - y) < 1e-3 for n in b for x, y in zip(b[n], carried[n])), (b, carried)
 END
+# The same points from and to every format.
+python3 - << 'END'
+import json
+rows = [line.strip().split(",") for line in open("a.csv") if line.strip()]
+points = [(name, [float(x) for x in numbers]) for name, *numbers in rows]
+json.dump([{"id": name, "coordinates": p} for name, p in points], open("a.json", "w"))
+controls = [{"label": name, "position": p} for name, p in points]
+json.dump({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": controls}]}, open("a.mrk.json", "w"))
+lines = [f"f{i},{','.join(map(repr, p))},0,0,0,1,1,1,0,{name},,vtk" for i, (name, p) in enumerate(points)]
+open("a.fcsv", "w").write("\n".join(["# Markups fiducial file version = 4.10", "# CoordinateSystem = LPS", *lines, ""]))
+END
+for from in a.mrk.json a.fcsv a.json a.csv; do
+  run landmarks body.off pose.off $from --map marked.txt -o of_any.csv && cmp of_any.csv carried.csv || fail "landmarks of $from"
+done
+for to in b.mrk.json b.fcsv b.json; do
+  run landmarks body.off pose.off a.mrk.json --map marked.txt -o $to
+  run landmarks pose.off pose.off $to -o back.csv --map identity.txt && run landmarks pose.off pose.off carried.csv -o expected.csv --map identity.txt
+  cmp back.csv expected.csv || fail "landmarks in $to"
+done
+run landmarks body.off pose.off a.mrk.json --map marked.txt -o b.tps && [ "$(head -1 b.tps)" = LM3=4 ] || fail "landmarks as .tps"
 refuse 1 "LPS or RAS" landmarks body.off pose.off a.csv --map marked.txt -o none.mrk.json
 refuse 1 "name of landmarks must end in" landmarks body.off pose.off a.csv --map marked.txt -o none.txt
+
+# One pair leads a fit, whether a map is given or found with it.
+run fit body.off pose.off --map truth.txt --landmarks one.txt -o by_map.off
+run fit body.off pose.off --landmarks one.txt -o by_match.off
+python3 - << 'END'
+def vertices(name):
+    lines = open(name).read().split("\n")
+    return [list(map(float, line.split())) for line in lines[2:2 + int(lines[1].split()[0])]]
+
+goal = vertices("pose.off")[7]
+for file in ("by_map.off", "by_match.off"):
+    distance = sum((a - b) ** 2 for a, b in zip(vertices(file)[300], goal)) ** 0.5
+    assert distance < 0.01, (file, distance)
+END
 
 # ---- what is doubtful is said ----
 run match body.off inside_out.off $fast -o map.txt && says "inside_out.off: inside out"

@@ -162,7 +162,7 @@ void read_ele_bytes(std::string_view bytes) {
 
 GltfFile read_gltf_bytes(std::string_view bytes, const std::optional<std::string>& object = {}) {
     // No folder of this name: what the bytes name beside themselves is never there.
-    return surface_of(std::make_shared<const GltfContent>(parse_gltf(bytes, "/absent/fuzzed.gltf")), object);
+    return surface_of(parse_gltf(bytes, "/absent/fuzzed.gltf"), object);
 }
 
 // Written as it is, with the materials of another, with all numbers changed, or without what only glTF holds.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { Quaternion, Vector3 } from "three";
 import { Correspondence } from "./correspondence";
-import { carry, type Field, positionField, rangeOf, scalarField } from "./field";
+import { carry, type Field, positionField, scalarField } from "./field";
 import { Interaction } from "./interaction";
 import { Landmarks } from "./landmarks";
 import type { Mode, Selection, Side } from "./modes";
@@ -11,11 +11,12 @@ import { Names } from "./names";
 import { type Line, type Marker, Overlay } from "./overlay";
 import { errorStops, interpolate, positionColor } from "./palette";
 import { element, Panel } from "./panel";
-import { colorLegend, describe, errorLegend, levelLegend, valueLegend } from "./readout";
+import { colorLegend, describe, errorLegend, levelLegend, summarize, valueLegend } from "./readout";
 import { sampleVertices } from "./sample";
 import type { SceneData } from "./scene_data";
 import { type Pane, type ScreenPoint, Stage } from "./stage";
 import { Surface } from "./surface";
+import { type Values, valuesOf } from "./values";
 
 const sourceColor = "#ffd23f";
 const targetColor = "#ff5fa2";
@@ -35,6 +36,7 @@ export class App {
   private readonly names: Names;
   private readonly correspondences: Correspondence[];
   private readonly samples: number[];
+  private readonly values: Values[];
   private mapIndex = 0;
   private mode: Mode = "colors";
   private lineCount = 0;
@@ -63,6 +65,7 @@ export class App {
     this.correspondences = scene.maps.map((map) => new Correspondence(map, scene));
     this.base = scene.baseVertex >= 0 ? scene.baseVertex : this.source.topology.extremity();
     this.samples = sampleVertices(scene.source, 200);
+    this.values = valuesOf(scene);
     this.stage = new Stage(element<HTMLCanvasElement>("meshes"), this.panes());
     this.interaction = new Interaction(this.stage, {
       viewChanged: () => this.requestFrame(),
@@ -85,7 +88,7 @@ export class App {
       },
       release: () => this.pin(null),
     });
-    this.panel = new Panel(scene, this.mode, {
+    this.panel = new Panel(scene, this.values, this.mode, {
       mode: (mode) => {
         this.mode = mode;
         this.recolor();
@@ -277,8 +280,8 @@ export class App {
         return { field, top, bandWidth: Math.max(1, Math.round(top / frontierBands)) };
       }
       case "values": {
-        const { values } = this.scene.values[this.valuesIndex];
-        const [low, high] = rangeOf(this.scene.values[this.valuesIndex].values);
+        const { range: [low, high], of } = this.values[this.valuesIndex];
+        const values = of(map) ?? new Float32Array(map.image.length).fill(NaN);
         const scaled = values.map((value) => (value - low) / (high - low || 1));
         return { field: scalarField(scaled, (v) => Number.isFinite(values[v])), top: 1, bandWidth: 1 };
       }
@@ -305,7 +308,8 @@ export class App {
 
   private updateText(): void {
     const selection = this.hovered ?? this.pinned;
-    element("stats").textContent = this.current.summary();
+    element("stats").replaceChildren(...summarize(this.current));
+    this.panel.showWarnings(this.current.map.warnings);
     const words = describe(selection, this.current, this.correspondences, this.scene);
     element("answer").replaceChildren(...words.flatMap((word) => [word, " "]));
     this.panel.showVertex(this.highlighted().source[0] ?? null);
@@ -315,7 +319,7 @@ export class App {
     const legend = element("legend");
     if (this.mode === "error") legend.replaceChildren(...errorLegend(top));
     else if (this.mode === "values")
-      legend.replaceChildren(...valueLegend(this.scene.values[this.valuesIndex].name, ...rangeOf(this.scene.values[this.valuesIndex].values)));
+      legend.replaceChildren(...valueLegend(this.values[this.valuesIndex], this.current.map));
     else if (this.mode === "frontiers") legend.replaceChildren(...levelLegend(this.base, top, bandWidth));
     else legend.replaceChildren(...colorLegend());
     const complete =

@@ -41,6 +41,7 @@ export class Correspondence {
     return known[Math.floor(0.98 * (known.length - 1))] || known[known.length - 1] || 1;
   }
 
+  /** How much it matches, and how well as far as that is known. */
   summary(): string {
     const sourceCount = this.scene.source.vertexCount;
     const parts = [

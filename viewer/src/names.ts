@@ -22,7 +22,7 @@ export class Names {
     document.title = `${title} · counterpart`;
   }
 
-  /** Each names the pane of the target that it colors, from left to right, row by row. */
+  /** Each names the pane of the target that it colors, from left to right, row by row; none: the target's own name. */
   showMaps(maps: number[]): void {
     const names = maps.map((map) => {
       const name = document.createElement("div");
@@ -31,16 +31,21 @@ export class Names {
       return name;
     });
     element("map-names").replaceChildren(...names);
+    element("target-name").hidden = names.length > 0;
   }
 
+  /** Puts the names above the meshes, for which they leave the rest of the panes. */
   place(stage: Stage): void {
-    const place = (name: HTMLElement, pane: number, down: number) => {
-      const { left, top, width } = stage.rectangle(pane);
-      Object.assign(name.style, { left: `${left + 10}px`, top: `${top + down}px`, maxWidth: `${width - 20}px` });
-    };
-    place(element("source-name"), 0, 8);
-    place(element("target-name"), 1, 8);
-    // Below the target's name in its first pane.
-    [...element("map-names").children].forEach((name, i) => place(name as HTMLElement, i + 1, i === 0 ? 38 : 8));
+    const maps = [...element("map-names").children] as HTMLElement[];
+    const names = [element("source-name"), ...(maps.length > 0 ? maps : [element("target-name")])];
+    const margin = 8;
+    // How wide a pane is may depend on the height of the names: the second time it does not any more.
+    for (let round = 0; round < 2; round++) {
+      names.forEach((name, pane) => {
+        const { left, top, width } = stage.cell(pane);
+        Object.assign(name.style, { left: `${left + 10}px`, top: `${top + margin}px`, maxWidth: `${width - 20}px` });
+      });
+      stage.setCaptionHeight(margin + Math.max(...names.map((name) => name.offsetHeight)));
+    }
   }
 }

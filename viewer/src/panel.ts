@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 import { type Mode, modeLabels, modes, modeTitles } from "./modes";
 import type { SceneData } from "./scene_data";
+import type { Values } from "./values";
 
 export interface PanelEvents {
   mode(mode: Mode): void;
@@ -30,8 +31,8 @@ export class Panel {
   private readonly vertex = element<HTMLInputElement>("vertex");
   private isTyping = false;
 
-  constructor(scene: SceneData, initial: Mode, events: PanelEvents) {
-    this.addModes(scene, initial, events);
+  constructor(scene: SceneData, values: Values[], initial: Mode, events: PanelEvents) {
+    this.addModes(scene, values, initial, events);
     this.addMaps(scene, events);
     this.addSlider("lines", String, events.lines);
     this.addSlider("morph", (value) => `${value} %`, (value) => events.morph(value / 100));
@@ -40,7 +41,7 @@ export class Panel {
     element("reset").addEventListener("click", () => events.reset());
     element("controls").addEventListener("submit", (event) => event.preventDefault());
     this.vertex.max = String(scene.source.vertexCount - 1);
-    this.addValues(scene, events);
+    this.addValues(values, events);
     const scale = element<HTMLInputElement>("scale");
     element("scale-field").hidden = !scene.maps.some((map) => map.error);
     scale.addEventListener("input", () => events.scale(Number(scale.value) > 0 ? Number(scale.value) : null));
@@ -70,13 +71,28 @@ export class Panel {
     if (document.activeElement !== this.vertex || !this.isTyping) this.vertex.value = vertex === null ? "" : String(vertex);
   }
 
-  private addModes(scene: SceneData, initial: Mode, events: PanelEvents): void {
+  /** What may be wrong with the map that is shown: a sentence, or their number with a list to open. */
+  showWarnings(warnings: string[]): void {
+    const list = element("warnings");
+    list.hidden = warnings.length === 0;
+    if (list.dataset.shown === warnings.join("\n")) return; // and may be open
+    list.dataset.shown = warnings.join("\n");
+    const items = warnings.map((warning) => {
+      const item = document.createElement("li");
+      item.textContent = warning;
+      return item;
+    });
+    element("warning-count").textContent = `${warnings.length} ${warnings.length === 1 ? "warning" : "warnings"}`;
+    element("warning-list").replaceChildren(...items);
+  }
+
+  private addModes(scene: SceneData, values: Values[], initial: Mode, events: PanelEvents): void {
     const hasError = scene.maps.some((map) => map.error);
     for (const mode of modes) {
       const label = document.createElement("label");
       const input = document.createElement("input");
       Object.assign(input, { type: "radio", name: "mode", value: mode, checked: mode === initial });
-      if (mode === "values" && scene.values.length === 0) continue;
+      if (mode === "values" && values.length === 0) continue;
       if (mode === "texture" && !scene.source.appearance && !scene.target.appearance) continue;
       input.disabled = mode === "error" && !hasError;
       input.addEventListener("change", () => events.mode(mode));
@@ -95,11 +111,11 @@ export class Panel {
     for (const id of ["map-field", "comparing-field"]) element(id).hidden = scene.maps.length < 2;
   }
 
-  private addValues(scene: SceneData, events: PanelEvents): void {
+  private addValues(values: Values[], events: PanelEvents): void {
     const select = element<HTMLSelectElement>("values");
-    scene.values.forEach(({ name }, index) => select.add(new Option(name, String(index))));
+    values.forEach(({ name }, index) => select.add(new Option(name, String(index))));
     select.addEventListener("change", () => events.values(Number(select.value)));
-    element("values-field").hidden = scene.values.length < 2;
+    element("values-field").hidden = values.length < 2;
   }
 
   private addSlider(id: string, format: (value: number) => string, changed: (value: number) => void): void {

@@ -3,7 +3,8 @@
 import type { Correspondence } from "./correspondence";
 import type { Selection } from "./modes";
 import { errorStops, gradient, levelStops, missingColor } from "./palette";
-import type { SceneData } from "./scene_data";
+import type { MapData, SceneData } from "./scene_data";
+import type { Values } from "./values";
 
 type Content = string | Node;
 
@@ -19,6 +20,12 @@ export function formatError(error: number): string {
   return Number.isFinite(error) ? `error ${error.toFixed(2)} % of √area` : "on another component";
 }
 
+/** The text about a map: the verdict first. */
+export function summarize(correspondence: Correspondence): Content[] {
+  const { verdict } = correspondence.map;
+  return verdict ? [tag("b", "verdict", verdict), ` · ${correspondence.summary()}`] : [correspondence.summary()];
+}
+
 /** The text about the selected vertex: for the current map first, then for the others. */
 export function describe(
   selection: Selection | null,
@@ -31,6 +38,8 @@ export function describe(
   const source = selection.vertex;
   const content: Content[] = [tag("span", "", "→ target vertex ", imageOf(current, source))];
   content.push(tag("span", "error", truthOf(current, source, scene)));
+  const confidence = current.map.confidence?.[source] ?? NaN;
+  if (!Number.isNaN(confidence)) content.push(tag("span", "error", `confidence ${confidence.toFixed(2)}`));
   for (const other of all) {
     if (other === current) continue;
     const error = other.map.error?.[source] ?? NaN;
@@ -67,20 +76,21 @@ function describeTarget(target: number, current: Correspondence): Content[] {
 function bar(title: string, stops: string[], low: string, high: string): Content[] {
   const strip = tag("div", "bar");
   strip.style.background = gradient(stops);
-  return [title, strip, tag("div", "ends", tag("span", "", low), tag("span", "", high))];
+  return [title, tag("span", "scale", low, strip, high)];
 }
 
 function missing(text: string): HTMLElement {
   const swatch = tag("span", "swatch");
   swatch.style.background = missingColor;
-  return tag("div", "", swatch, text);
+  return tag("span", "", swatch, text);
 }
 
 export function errorLegend(top: number): Content[] {
   return [...bar("Error, % of √area", errorStops, "0", `≥ ${top.toPrecision(2)}`), missing("not known or unmatched")];
 }
 
-export function valueLegend(name: string, low: number, high: number): Content[] {
+export function valueLegend({ name, range: [low, high], of }: Values, map: MapData): Content[] {
+  if (!of(map)) return [missing(`${name} of this map: not known`)];
   return [...bar(name, levelStops, String(+low.toPrecision(3)), String(+high.toPrecision(3))), missing("not known")];
 }
 

@@ -33,6 +33,12 @@ export interface MapData {
   error: Float32Array | null;
   /** What `counterpart evaluate` says of the map; empty where there is no truth. */
   evaluation: string;
+  /** "use", "check" or "do not use"; empty where nobody judged. */
+  verdict: string;
+  /** What may be wrong with it, a sentence each. */
+  warnings: string[];
+  /** 0 .. 1 per source vertex, NaN = unknown; null where none is known. */
+  confidence: Float32Array | null;
 }
 
 /** Numbers per source vertex, NaN = unknown. */
@@ -68,6 +74,16 @@ interface MeshJson {
   color_offset?: number;
 }
 
+interface MapJson {
+  name: string;
+  image_offset: number;
+  error_offset?: number;
+  confidence_offset?: number;
+  evaluation?: string;
+  verdict?: string;
+  warnings?: string[];
+}
+
 function elementText(id: string): string {
   const element = document.getElementById(id);
   if (!element?.textContent) throw new Error("This page contains no meshes: create it with 'counterpart view'.");
@@ -99,6 +115,10 @@ function readMesh(json: MeshJson, buffer: ArrayBuffer): MeshData {
   };
 }
 
+function numbersAt(offset: number | undefined, source: MeshData, buffer: ArrayBuffer): Float32Array | null {
+  return offset === undefined ? null : new Float32Array(buffer, offset, source.vertexCount);
+}
+
 function readAppearance(json: MeshJson, buffer: ArrayBuffer): AppearanceData | null {
   const { uv_offset: uv, image_of_triangle_offset: number, color_offset: color, images } = json;
   if (uv === undefined && color === undefined) return null;
@@ -126,11 +146,14 @@ export function sceneOf(json: any, buffer: ArrayBuffer): SceneData {
   return {
     source,
     target,
-    maps: json.maps.map((map: { name: string; image_offset: number; error_offset?: number; evaluation?: string }) => ({
+    maps: json.maps.map((map: MapJson) => ({
       name: map.name,
       image: new Int32Array(buffer, map.image_offset, source.vertexCount),
-      error: map.error_offset === undefined ? null : new Float32Array(buffer, map.error_offset, source.vertexCount),
+      error: numbersAt(map.error_offset, source, buffer),
       evaluation: map.evaluation ?? "",
+      verdict: map.verdict ?? "",
+      warnings: map.warnings ?? [],
+      confidence: numbersAt(map.confidence_offset, source, buffer),
     })),
     values: (json.values ?? []).map((value: { name: string; offset: number }) => ({
       name: value.name,

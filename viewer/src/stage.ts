@@ -44,6 +44,7 @@ export class Stage {
   private readonly pixel = new WebGLRenderTarget(1, 1);
   private width = 1;
   private height = 1;
+  private captionHeight = 0;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
@@ -64,19 +65,33 @@ export class Stage {
     return true;
   }
 
+  /** Leaves so much room for a caption above each mesh. */
+  setCaptionHeight(height: number): void {
+    this.captionHeight = height;
+  }
+
   private grid(): { columns: number; rows: number } {
     let [best, columns] = [0, 1];
     for (let count = this.panes.length; count > 0; --count) {
-      const shorter = Math.min(this.width / count, this.height / Math.ceil(this.panes.length / count));
-      if (shorter > best) [best, columns] = [shorter, count];
+      const height = this.height / Math.ceil(this.panes.length / count) - this.captionHeight;
+      const shorter = Math.min(this.width / count, height);
+      if (shorter >= best) [best, columns] = [shorter, count]; // of equals the fewest columns
     }
     return { columns, rows: Math.ceil(this.panes.length / columns) };
   }
 
-  rectangle(pane: number): Rectangle {
+  /** All that belongs to a pane. */
+  cell(pane: number): Rectangle {
     const { columns, rows } = this.grid();
     const [width, height] = [this.width / columns, this.height / rows];
     return { left: (pane % columns) * width, top: Math.floor(pane / columns) * height, width, height };
+  }
+
+  /** Where its mesh is drawn: below the caption. */
+  rectangle(pane: number): Rectangle {
+    const { left, top, width, height } = this.cell(pane);
+    const caption = Math.min(this.captionHeight, height / 2);
+    return { left, top: top + caption, width, height: height - caption };
   }
 
   paneAt(x: number, y: number): number {

@@ -202,6 +202,65 @@ test("maps side by side: one pane each, which are picked and marked on their own
   await context.close();
 });
 
+test("confidence and warnings are those of the map that is shown", async () => {
+  const path = (name) => join(pair.folder, name);
+  const [source, other, html] = ["source.obj", "stretched.obj", "matched.html"].map(path);
+  const stretched = readFileSync(source, "utf8").split("\n").map((line) => {
+    const [key, ...numbers] = line.split(" ");
+    return key === "v" ? ["v", 1.3 * numbers[0], ...numbers.slice(1)].join(" ") : line;
+  });
+  const shuffled = stretched.filter((line) => line[0] !== "f").concat(stretched.filter((line) => line[0] === "f").slice(1));
+  writeFileSync(other, shuffled.join("\n"));
+  const report = path("report.json");
+  execFileSync(program, ["view", source, other, "-q", "-o", html, "--report", report]);
+  const { verdict, match_messages: messages } = JSON.parse(readFileSync(report, "utf8"));
+  const page = await open(browser, html);
+  const panel = page.page;
+  assert.equal(await panel.locator("#stats .verdict").innerText(), verdict);
+  const warnings = messages.filter((message) => message.severity !== "notice");
+  assert.equal(await panel.locator("#warnings").isVisible(), warnings.length > 0);
+  await panel.evaluate(() => document.getElementById("warnings").setAttribute("open", ""));
+  const items = await panel.locator("#warning-list li").allInnerTexts();
+  assert.deepEqual(items.map((item, i) => item.includes(warnings[i].sentence)), warnings.map(() => true));
+  await panel.locator("#modes input[value=values]").check();
+  assert.match(await panel.locator("#legend").innerText(), /Confidence\s+0\s+1/);
+  await panel.fill("#vertex", "17");
+  assert.match(await answer(panel), /confidence [01]\.\d\d/);
+  assert.deepEqual(page.complaints, []);
+  await page.context.close();
+});
+
+for (const [name, viewport] of [["a desktop", { width: 1400, height: 900 }], ["a phone", { width: 390, height: 844 }]])
+  test(`on ${name} no caption lies on a mesh, on another caption or over the edge`, async () => {
+    const long = "another part, quite far away: 28 % of the surface goes elsewhere";
+    const maps = [1, 2, 3, 4].map((i) => `${long} ${i}.txt`);
+    for (const map of maps) writeFileSync(join(pair.folder, map), readFileSync(join(pair.folder, "worse.txt")));
+    const { page, context } = await open(browser, writePage(pair, maps), { viewport });
+    for (const comparing of [false, true]) {
+      await page.locator("#comparing").setChecked(comparing);
+      const { names, meshes, stage } = await page.evaluate((count) => {
+        const box = (element) => element.getBoundingClientRect().toJSON();
+        const shown = [...document.querySelectorAll(".pane-name")].filter((name) => !name.hidden);
+        const points = [];
+        for (let vertex = 0; vertex < count; vertex += 3) {
+          points.push(window.counterpart.screenPosition("source", vertex));
+          for (const map of [0, 1, 2, 3]) points.push(window.counterpart.screenPosition("target", vertex, map));
+        }
+        return { names: shown.map(box), meshes: points, stage: box(document.getElementById("stage")) };
+      }, pair.count);
+      assert.equal(names.length, comparing ? 5 : 2);
+      const apart = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+      for (const [i, a] of names.entries()) {
+        assert.ok(a.left >= stage.left && a.right <= stage.right && a.bottom <= stage.bottom, JSON.stringify(a));
+        assert.ok(names.every((b, j) => i === j || apart(a, b)), `caption ${i} lies on another`);
+        const covered = meshes.filter(({ x, y }) => x > a.left && x < a.right && y > a.top && y < a.bottom);
+        assert.deepEqual(covered, [], `caption ${i} lies on a mesh`);
+      }
+      await stagePicture(page, `captions_${viewport.width}_${comparing}`);
+    }
+    await context.close();
+  });
+
 test("lines and the morph change the picture; the source's vertices move to their counterparts", async () => {
   const { page, context } = await open(browser, file);
   const plain = await stagePicture(page, "without_lines");

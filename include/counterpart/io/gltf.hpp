@@ -23,7 +23,7 @@ struct GltfFile {
 };
 
 /// Reads glTF 2.0, text (.gltf, with its buffers beside it or inside) or binary (.glb): the triangles of all
-/// meshes, each where the first node of the scene that holds it puts it (skinned ones as they are bound).
+/// meshes, once for each node of the scene that shows them, where it puts them (skinned ones as bound).
 /// Triangle strips and fans are cut into triangles; points and lines are left out with a notice. Throws
 /// IoError naming the file, the element and the reason, also for what is not supported: glTF 1.0, compressed
 /// meshes (Draco, meshopt). Buffers and images come from the file itself or from its folder and below, unless

@@ -30,11 +30,12 @@ struct PartialOptions {
     /// The files share their unit of length, as scans usually do. Otherwise the scale is searched, which is
     /// less certain and takes longer.
     bool same_scale = false;
-    /// Known pairs (source vertex, target vertex), from 0; none or more. They hold exactly in both maps,
-    /// where no two share a vertex.
+    /// Known pairs (source vertex, target vertex), from 0; none to 2000 less a quarter of n_samples. They
+    /// hold exactly in both maps, where no two share a vertex.
     std::vector<std::pair<Index, Index>> landmarks{};
     bool soft_landmarks = false;  ///< landmarks guide the search only
-    /// What is known of the map besides, as in SpectralOptions: maps that go against it lose.
+    /// What is known of the map besides, as in SpectralOptions: maps that go against it lose. At most as many
+    /// pairs as landmarks.
     std::vector<std::pair<Index, Index>> excluded{};
     bool aligned = false;
     Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();
@@ -80,7 +81,8 @@ struct PartialResult {
 /// scale unless same_scale says that it is known. docs/methods/partial.md describes the method.
 ///
 /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 50 distinct vertices, and
-/// for options out of range; Canceled. About O(V^1.2) time, O(V) memory with a factor of 1000.
+/// for options out of range, or more vertices times samples than 450 million; Canceled. About O(V^1.2) time;
+/// memory: 4 (n_samples + landmarks) bytes per vertex and 576 (n_samples / 4 + landmarks)^2 bytes.
 PartialResult match_partial(MeshView source, MeshView target, const PartialOptions& options = {});
 
 }  // namespace counterpart

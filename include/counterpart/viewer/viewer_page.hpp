@@ -19,9 +19,12 @@ struct ViewerMap {
     /// map leads to another component. Empty = no ground truth.
     std::vector<double> error{};
     std::string evaluation{};  ///< what is said of the map beside it: its errors, as evaluate() finds them
+    std::string verdict{};     ///< whether to use it: "use", "check", "do not use"
+    std::vector<std::string> warnings{};  ///< what may be wrong with it, a sentence each
+    std::vector<double> confidence{};     ///< 0 .. 1 per source vertex, NaN where unknown; empty = unknown
 };
 
-/// Numbers to color by.
+/// Numbers to color by, whichever map is shown.
 struct ViewerValues {
     std::string name;
     std::vector<double> values;  ///< one per source vertex, NaN where unknown
@@ -64,8 +67,8 @@ ViewerScene viewer_scene(MeshView source, MeshView target, const std::vector<Vie
 /// first map's pairs agree best. Takes 8 bytes per vertex and 8 (16 above 65536 vertices) per triangle of
 /// each mesh, 5.3 per source vertex and map (twice that with errors), and for a mesh's appearance 37 per
 /// triangle and four thirds of the images, on top of the viewer itself. O(V + F). Throws InvalidInput for an
-/// invalid mesh, no map, a map, error, truth or appearance that does not fit the meshes (the message names
-/// the map), or a base vertex out of range.
+/// invalid mesh, no map, a map, error, confidence, truth or appearance that does not fit the meshes (the
+/// message names the map), or a base vertex out of range.
 std::string viewer_page(MeshView source, MeshView target, const std::vector<ViewerMap>& maps,
                         const ViewerOptions& options = {});
 

@@ -9,13 +9,15 @@
 namespace counterpart::partial_match {
 namespace {
 
-void require_room_for_distances(const surface_match::Preprocessed& cleaned, const std::string& name) {
-    constexpr Index max_vertices = 500000;  // 2 GB
+void require_room_for_distances(const surface_match::Preprocessed& cleaned, const std::string& name,
+                                int n_samples) {
+    constexpr Index most_distances = 450'000'000;  // 1.8 GB
+    const Index max_vertices = most_distances / n_samples;
     if (cleaned.mesh.n_vertices() > max_vertices)
         throw UnsuitableMesh(fmt::format(
-            "partial matching keeps distances from 900 samples to all vertices, too many for the {} of {} "
-            "vertices: simplify it to at most {} first",
-            name, cleaned.mesh.n_vertices(), max_vertices));
+            "partial matching keeps distances from {} samples and landmarks to all vertices, too many for "
+            "the {} of {} vertices: simplify it to at most {} first, or ask for fewer",
+            n_samples, name, cleaned.mesh.n_vertices(), max_vertices));
 }
 
 }  // namespace
@@ -25,9 +27,9 @@ surface_match::Preprocessed cleaned(MeshView mesh, const std::string& name) {
 }
 
 void require_room_for_distances(const surface_match::Preprocessed& source,
-                                const surface_match::Preprocessed& target) {
-    require_room_for_distances(source, "source");
-    require_room_for_distances(target, "target");
+                                const surface_match::Preprocessed& target, int n_samples) {
+    require_room_for_distances(source, "source", n_samples);
+    require_room_for_distances(target, "target", n_samples);
 }
 
 }  // namespace counterpart::partial_match

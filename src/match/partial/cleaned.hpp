@@ -12,8 +12,8 @@ namespace counterpart::partial_match {
 /// 50 distinct vertices.
 surface_match::Preprocessed cleaned(MeshView mesh, const std::string& name);
 
-/// Throws UnsuitableMesh for more vertices than distances to them fit into memory.
+/// Throws UnsuitableMesh for more vertices than distances to them from so many samples fit into memory.
 void require_room_for_distances(const surface_match::Preprocessed& source,
-                                const surface_match::Preprocessed& target);
+                                const surface_match::Preprocessed& target, int n_samples);
 
 }  // namespace counterpart::partial_match

@@ -46,6 +46,14 @@ TEST(BaseColors, OfAnObjFileComeFromItsMaterialFile) {
     EXPECT_TRUE(colors.notices.empty());
 }
 
+TEST(BaseColors, AByteOrderMarkBeforeTheMaterialsIsPassedOver) {
+    const test::TemporaryFolder folder;
+    write_obj(folder / "a.obj", "a.mtl");
+    write_file("\xef\xbb\xbfnewmtl skin\nmap_Kd skin.png\n", folder / "a.mtl");
+    write_file(png, folder / "skin.png");
+    EXPECT_EQ(colors_of(folder / "a.obj").image_of_triangle, (std::vector<Index>{0, -1, 0, -1}));
+}
+
 TEST(BaseColors, WhatCannotBeShownIsSaid) {
     const test::TemporaryFolder folder;
     write_obj(folder / "a.obj", "absent.mtl");

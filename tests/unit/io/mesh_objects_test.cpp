@@ -262,7 +262,7 @@ TEST(MeshObjects, OfGltfAreMeshesByTheirNodes) {
     const test::TemporaryFolder folder;
     const Path file = gltf_of_two(folder);
     const std::vector<MeshObject> objects = mesh_objects(file);
-    ASSERT_EQ(names_of(objects), (std::vector<std::string>{"left arm", "right"}));
+    ASSERT_EQ(names_of(objects), (std::vector<std::string>{"left arm", "right", "again"}));
     EXPECT_EQ(objects[1].n_vertices, 4);
     expect_together_whole(file);
     const AttributedMesh right = object_of(file, "right");
@@ -270,21 +270,82 @@ TEST(MeshObjects, OfGltfAreMeshesByTheirNodes) {
     expect_equal(right.mesh.triangles, (Triangles{{0, 2, 1}, {0, 3, 1}}));
     EXPECT_EQ(right.part_names, (std::vector<std::string>{"blue"}));
     expect_equal(object_of(file, "0").mesh.vertices, (Points{{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}));
-    expect_refused(file, "again",
-                   "there is no object 'again'; the file has 2 objects: 0 'left arm', 1 'right'");
+    // Another node that shows the first mesh.
+    expect_equal(object_of(file, "again").mesh.vertices, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    expect_equal(object_of(file, "2").mesh.vertices, object_of(file, "again").mesh.vertices);
+    expect_refused(file, "none", "the file has 3 objects: 0 'left arm', 1 'right', 2 'again'");
+}
+
+// As a forest is: one tree in many places, in a file that has room for the numbers of a few.
+TEST(MeshObjects, InstancesThatTakeFarMoreMemoryThanTheFileAreLeftOut) {
+    const test::TemporaryFolder folder;
+    write_mesh(make_icosphere(6), folder / "tree.gltf");
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_whole_file(folder / "tree.gltf"));
+    const auto read = [&](int n_trees) {
+        json["nodes"] = nlohmann::ordered_json::array();
+        json["scenes"][0]["nodes"] = nlohmann::ordered_json::array();
+        for (int i = 0; i < n_trees; ++i) {
+            json["nodes"].push_back({{"mesh", 0}, {"translation", {3 * i, 0, 0}}});
+            json["scenes"][0]["nodes"].push_back(i);
+        }
+        return read_mesh(folder.file("forest.gltf", json.dump()));
+    };
+    const MeshFile few = read(3);
+    EXPECT_EQ(few.mesh.n_vertices(), 3 * 40962);
+    EXPECT_NEAR(few.mesh.vertices.col(0).maxCoeff(), 7, 1e-6);
+    const MeshFile many = read(2000);
+    EXPECT_EQ(many.mesh.n_vertices(), 40962);
+    EXPECT_EQ(many.notices.front(), "1999 further instances of meshes left out");
 }
 
 TEST(MeshObjects, OfGltfAreWrittenAloneOrTogether) {
     const test::TemporaryFolder folder;
     const Path file = gltf_of_two(folder), out = folder / "out.glb", obj = folder / "out.obj";
     write_attributed_mesh(read_attributed_mesh(file).content, out);
-    EXPECT_EQ(names_of(mesh_objects(out)), (std::vector<std::string>{"left arm", "right"}));
+    EXPECT_EQ(names_of(mesh_objects(out)), (std::vector<std::string>{"left arm", "right", "again"}));
+    expect_same(read_attributed_mesh(out).content, read_attributed_mesh(file).content);
     write_attributed_mesh(object_of(file, "right"), out);
     EXPECT_EQ(names_of(mesh_objects(out)), (std::vector<std::string>{"right"}));
     expect_same(read_attributed_mesh(out).content, object_of(file, "right"));
     write_attributed_mesh(read_attributed_mesh(file).content, obj);
-    EXPECT_EQ(names_of(mesh_objects(obj)), (std::vector<std::string>{"left arm", "right"}));
+    EXPECT_EQ(names_of(mesh_objects(obj)), (std::vector<std::string>{"left arm", "right", "again"}));
     expect_equal(object_of(obj, "right").mesh.vertices, object_of(file, "right").mesh.vertices);
+}
+
+TEST(MeshObjects, OfOtherFilesAreNodesOfGltfEachWithItsParts) {
+    const test::TemporaryFolder folder;
+    const std::string two_colors = "usemtl blue\nf 1 2 3\n";  // of a square's object, in the tip's material
+    const Path obj = folder.file("a.obj", "o square\n" + square + two_colors + "o tip\n" + tip);
+    for (const char* name : {"a.glb", "a.gltf"}) {
+        const Path gltf = folder / name, again = folder / "again.obj";
+        write_attributed_mesh(read_attributed_mesh(obj).content, gltf);
+        EXPECT_EQ(names_of(mesh_objects(gltf)), (std::vector<std::string>{"square", "tip"}));
+        const AttributedMesh whole = read_attributed_mesh(gltf).content;
+        EXPECT_EQ(whole.part_names, (std::vector<std::string>{"red", "blue", "blue"}));
+        EXPECT_EQ(whole.parts, (std::vector<Index>{0, 0, 1, 2}));
+        const AttributedMesh alone = object_of(gltf, "tip"), expected = object_of(obj, "tip");
+        expect_equal(alone.mesh.vertices, expected.mesh.vertices);
+        expect_equal(alone.mesh.triangles, expected.mesh.triangles);
+        expect_same_corners(alone.texture_coordinates[0], expected.texture_coordinates[0]);
+        expect_same_corners(alone.normals, expected.normals);
+        EXPECT_EQ(object_of(gltf, "square").part_names, (std::vector<std::string>{"red", "blue"}));
+        write_attributed_mesh(whole, again);
+        EXPECT_EQ(names_of(mesh_objects(again)), (std::vector<std::string>{"square", "tip"}));
+    }
+    const auto json = nlohmann::json::parse(read_whole_file(folder / "a.gltf"));
+    EXPECT_EQ(json["nodes"].size(), 2U);
+    EXPECT_EQ(json["materials"].size(), 2U);  // nodes share them
+}
+
+TEST(MeshObjects, ThatShareVerticesStayOneMeshInGltf) {
+    const test::TemporaryFolder folder;
+    const Path obj = folder.file(
+        "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng arm\nf 1 2 3\ng head\nf 2 3 4\ng arm\nf 1 2 4\n");
+    const Path gltf = folder / "a.glb";
+    write_attributed_mesh(read_attributed_mesh(obj).content, gltf);
+    EXPECT_EQ(names_of(mesh_objects(gltf)), (std::vector<std::string>{""}));
+    expect_equal(read_mesh(gltf).mesh.vertices, read_mesh(obj).mesh.vertices);
+    expect_equal(read_mesh(gltf).mesh.triangles, read_mesh(obj).mesh.triangles);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "match/surface/tears.hpp"
 #include "support/cuts.hpp"
 #include "support/disguise.hpp"
+#include "support/expect_error.hpp"
 #include "support/messages.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -55,6 +56,30 @@ TEST_F(MatchPartial, RefusesBadInput) {
     EXPECT_THROW(match_partial(whole, whole, {.n_samples = 100}), InvalidInput);
     EXPECT_THROW(match_partial(whole, whole, {.n_alternatives = -1}), InvalidInput);
     EXPECT_THROW(match_partial(whole, whole, {.n_threads = -1}), InvalidInput);
+}
+
+// More would take memory without bound: distances from each to all vertices, and agreement of all with all.
+TEST_F(MatchPartial, RefusesMoreLandmarksThanItHasMemoryFor) {
+    const std::vector<std::pair<Index, Index>> pairs(800, {0, 0});
+    const auto refused = [&](PartialOptions options, std::size_t n_pairs) {
+        options.n_samples = 5000;
+        options.landmarks = std::vector(n_pairs, std::pair<Index, Index>(0, 0));
+        test::expect_error<InvalidInput>([&] { match_partial(whole, whole, options); }, "give at most 750");
+    };
+    refused({}, 751);
+    refused({.part = Part::neither}, 751);
+    test::expect_error<InvalidInput>(
+        [&] { match_partial(whole, whole, {.excluded = pairs, .n_samples = 5000}); }, "800 excluded pairs");
+    const TriangleMesh fine = make_grid(300, 300);
+    test::expect_error<UnsuitableMesh>(
+        [&] { match_partial(fine, whole, {.part = Part::source, .n_samples = 5000}); },
+        "simplify it to at most 90000");
+    test::expect_error<UnsuitableMesh>(
+        [&] {
+            match_partial(whole, fine,
+                          {.part = Part::source, .landmarks = {{0, 0}, {5, 5}}, .n_samples = 4998});
+        },
+        "from 5000 samples and landmarks");
 }
 
 TEST_F(MatchPartial, CutBodyLandsOnTheWholeInAnotherPose) {

@@ -74,6 +74,34 @@ TEST(SpectralStoredShape, OfOtherConstantsIsRefused) {
     EXPECT_NO_THROW(shape_from_bytes(bytes, other));
 }
 
+TEST(SpectralStoredShape, EveryConstantCounts) {
+    using Tuning = spectral_match::PreparationTuning;
+    const std::string bytes = to_bytes(small_shape());
+    const auto refused_with = [&](auto change) {
+        Tuning other;
+        change(other);
+        test::expect_error<InvalidInput>([&] { shape_from_bytes(bytes, other); },
+                                         "prepared with other constants");
+    };
+    refused_with([](Tuning& t) { t.min_component_share *= 2; });
+    refused_with([](Tuning& t) { ++t.n_distance_samples; });
+    refused_with([](Tuning& t) { t.extremity_radius *= 2; });
+    refused_with([](Tuning& t) { t.prominent_apart *= 2; });
+    refused_with([](Tuning& t) { ++t.max_extremities; });
+    for (std::size_t i = 0; i < Tuning().curvature_times.size(); ++i)
+        refused_with([&](Tuning& t) { t.curvature_times[i] *= 2; });
+    refused_with([](Tuning& t) { ++t.curvature_percentile; });
+    refused_with([](Tuning& t) { t.relief_time *= 2; });
+    refused_with([](Tuning& t) { ++t.n_relief_steps; });
+    refused_with([](Tuning& t) { ++t.large_mesh; });
+    refused_with([](Tuning& t) { ++t.proxy_size; });
+    refused_with([](Tuning& t) { t.min_proxy_area *= 0.5; });
+    refused_with([](Tuning& t) { t.basis_tolerance *= 2; });
+    refused_with([](Tuning& t) { ++t.min_local_functions; });
+    refused_with([](Tuning& t) { ++t.local_functions_per_eigenfunction; });
+    refused_with([](Tuning& t) { t.local_radius *= 2; });
+}
+
 // Whatever a byte is changed to: refused, or a shape whose numbers are in range, which can be matched.
 TEST(SpectralStoredShape, DamageIsRefusedOrHarmless) {
     const std::string bytes = to_bytes(small_shape());
