@@ -3,15 +3,18 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests what scripts/wasm.sh has built: the npm package, installed into an empty folder, by Node.js and the TypeScript compiler,
-# against the program (COUNTERPART, or build/release/counterpart); the page, in Chromium.
+# against the program (COUNTERPART, or build/release/counterpart); the page, in Chromium, and what it looks like in the folder
+# SCREENSHOTS, if that is given.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v chromium > /dev/null || { echo "test_wasm: install chromium" >&2; exit 1; }
 export COUNTERPART="${COUNTERPART:-$PWD/build/release/counterpart}"
 
-size=$(gzip -9 < build/wasm/package/dist/library.wasm | wc -c)
-echo "library.wasm: $size bytes gzipped"
-[ "$size" -le 3500000 ] || { echo "test_wasm: more than 3.5 MB" >&2; exit 1; }
+for file in library.wasm library_threads.wasm; do
+  size=$(gzip -9 < "build/wasm/package/dist/$file" | wc -c)
+  echo "$file: $size bytes gzipped"
+  [ "$size" -le 3500000 ] || { echo "test_wasm: more than 3.5 MB" >&2; exit 1; }
+done
 
 # As a user: the packed package in an empty folder, the five lines of its README, its types.
 user=$(mktemp -d)

@@ -15,10 +15,11 @@
 namespace counterpart::javascript {
 namespace {
 
-// Images beside the file are not here any more: what it looks like is shown only as far as it holds it
-// itself.
 ViewerAppearance appearance_of(const Content& content) {
     ViewerAppearance appearance;
+    if (!content.images.images.empty())
+        appearance = {content.content.texture_coordinates[0], content.images.images,
+                      content.images.image_of_triangle};
     if (!content.content.colors.empty()) appearance.colors = content.content.colors[0];
     return appearance;
 }
@@ -33,7 +34,7 @@ val scene_of(const Content& source, const Content& target, const std::string& so
                              {numbers_of<Index>(maps[i]["targetFromSource"]), target.mesh().n_vertices()}});
         ViewerOptions options{.source_name = source_name, .target_name = target_name};
         if (std::vector<double> values = numbers_of<double>(confidence); !values.empty())
-            options.values.push_back({"confidence", std::move(values)});
+            options.values.push_back({"confidence of match", std::move(values)});
         options.source_appearance = appearance_of(source);
         options.target_appearance = appearance_of(target);
         options.up = render::find_camera(source.mesh(),
