@@ -166,7 +166,10 @@ void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
 
 template <class First, class Second>
 void invoke(const First& first, const Second& second) {
-    for_pieces(2, 1, [&](std::size_t i, std::size_t) { i == 0 ? first() : second(); });
+    for_pieces(2, 1, [&](std::size_t begin, std::size_t end) {
+        if (begin == 0) first();
+        if (end == 2) second();
+    });
 }
 
 /// work(): no thread here takes up another's.
