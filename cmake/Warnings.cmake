@@ -15,11 +15,11 @@ function(counterpart_configure_target target)
   if(EMSCRIPTEN)
     # What the standard library of Emscripten 3.1.6 lacks.
     target_include_directories(${target} SYSTEM BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/javascript/libcxx)
+    # Linked with threads and without.
+    target_compile_options(${target} PRIVATE -pthread)
   endif()
   if(COUNTERPART_THREADS STREQUAL "plain")
     target_compile_definitions(${target} PRIVATE COUNTERPART_PLAIN_THREADS)
-  elseif(COUNTERPART_THREADS STREQUAL "none")
-    target_compile_definitions(${target} PRIVATE COUNTERPART_NO_THREADS)
   endif()
   if(COUNTERPART_WERROR)
     target_compile_options(${target} PRIVATE -Werror)

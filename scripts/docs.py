@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 """Makes the pages of the site in build/docs/pages: those of docs/, the executed tutorials, the commands' help, the
-C++ headers. With --quick the tutorials are not executed: pages without outputs. scripts/docs.sh calls it."""
+C++ headers, and the page that matches in the browser where scripts/wasm.sh has built it. With --quick the tutorials are
+not executed: pages without outputs. scripts/docs.sh calls it."""
 
 import os
 import pathlib
@@ -21,12 +22,15 @@ from traitlets.config import Config
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "build" / "docs" / "pages"
+APP = ROOT / "build" / "wasm" / "page"
 SOURCES = "https://github.com/counterpart/counterpart/blob/main/"
 
 
 def copy_pages() -> None:
     shutil.rmtree(PAGES, ignore_errors=True)
     shutil.copytree(ROOT / "docs", PAGES, ignore=shutil.ignore_patterns("*.ipynb", "*.py", "requirements.txt"))
+    if APP.exists():
+        shutil.copytree(APP, PAGES / "app")
 
 
 def execute(notebook: nbformat.NotebookNode, folder: pathlib.Path) -> None:

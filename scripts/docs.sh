@@ -4,7 +4,8 @@
 #
 # Builds the documentation's site in build/docs/site: executes the tutorials (not with --quick), then MkDocs with every
 # warning an error, then checks every link within it: a minute. Builds what of the package is missing in build/release
-# first; the network is needed only where build/venv is not there yet.
+# first; the network is needed only where build/venv is not there yet. The page that scripts/wasm.sh builds is in app/, if it
+# was built.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$PWD/build/venv/bin

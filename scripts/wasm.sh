@@ -17,7 +17,7 @@ package=$PWD/build/wasm/package
 rm -rf "$package"
 mkdir -p "$package/dist"
 cp javascript/package.json javascript/README.md LICENSE "$package"
-cp build/wasm/javascript/library.{js,wasm} "$package/dist"
+cp build/wasm/javascript/library{,_threads}.{js,wasm} build/wasm/javascript/library_threads.worker.js "$package/dist"
 (cd javascript && npm ci && npm run build -- --outDir "$package/dist")
 (cd "$package" && npm pack --pack-destination ..)
 [ "${1:-}" = package ] && exit

@@ -41,14 +41,14 @@ build() {
   local name=$1
   shift
   emcmake cmake -G Ninja -S "$name"-*/ -B "$name" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$prefix" \
-    -DBUILD_SHARED_LIBS=OFF -DCMAKE_CXX_FLAGS="-fwasm-exceptions -msimd128" "$@" > log 2>&1 &&
+    -DBUILD_SHARED_LIBS=OFF -DCMAKE_CXX_FLAGS="-fwasm-exceptions -pthread -msimd128" "$@" > log 2>&1 &&
     cmake --build "$name" --target install >> log 2>&1 || { cat log >&2; exit 1; }
 }
 build fmtlib -DFMT_TEST=OFF -DFMT_DOC=OFF
 build pugixml
 # Debian's zlib lacks what its CMake project asks for; reading takes these files alone.
 cd zlib-*/
-emcc -O2 -c adler32.c crc32.c inffast.c inflate.c inftrees.c zutil.c
+emcc -O2 -pthread -c adler32.c crc32.c inffast.c inflate.c inftrees.c zutil.c
 emar rc "$prefix/lib/libz.a" ./*.o
 cp zlib.h zconf.h "$prefix/include"
 rm -rf "$prefix/sources"

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 // What the compiled library (javascript/src) gives.
-import type { Evaluation, MatchResult, Message, TransferredAttribute, ViewerScene } from "./types.js";
+import type { Evaluation, Extensions, MatchResult, MeshObject, Message, TransferredAttribute, ViewerScene } from "./types.js";
 
 export interface Content {
   vertices(): Float64Array;
   triangles(): Int32Array;
   attributes(): string[];
   notices(): string[];
+  objects(): MeshObject[];
   delete(): void;
 }
 
@@ -16,10 +17,10 @@ export type Outcome<Value> = { value: Value } | { error: { kind: string; message
 type Step = ((fraction: number) => boolean) | null;
 
 export interface Core {
-  readContent(name: string, strict: boolean): Outcome<Content>;
+  readContent(name: string, strict: boolean, object: string | null): Outcome<Content>;
   writeContent(content: Content, name: string): Outcome<true>;
   contentOf(vertices: Float64Array, triangles: Int32Array): Outcome<Content>;
-  extensions(): { read: string[]; written: string[] };
+  extensions(): Extensions;
   match(source: Content, target: Content, options: string, initial: Int32Array | null, progress: Step): Outcome<MatchResult>;
   evaluate(source: Content, target: Content, map: Int32Array, truth: Int32Array): Outcome<Evaluation>;
   reorder(source: Content, target: Content, allowMirror: boolean, weldDistance: number): Outcome<Content>;
@@ -34,6 +35,7 @@ export interface Core {
   ): Outcome<ViewerScene>;
   example(kind: string): Outcome<[Content, Content]>;
   FS: FileSystem;
+  HEAPU8: Uint8Array;
 }
 
 export interface Transferred {
@@ -52,6 +54,13 @@ export interface FileSystem {
   unlink(path: string): void;
 }
 
+export type InstantiateWasm = (
+  imports: WebAssembly.Imports,
+  receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+) => object;
+
 export type MakeCore = (module: {
-  instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance) => void): object;
+  instantiateWasm: InstantiateWasm;
+  mainScriptUrlOrBlob?: string;
+  locateFile?: (name: string) => string;
 }) => Promise<Core>;

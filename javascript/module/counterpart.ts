@@ -6,6 +6,7 @@ import { makeFolder, withFiles } from "./files.js";
 import { Mesh } from "./mesh.js";
 import type {
   Evaluation,
+  Extensions,
   MatchOptions,
   MatchResult,
   Message,
@@ -37,16 +38,21 @@ export class Counterpart {
   }
 
   /** Endings of the files that `readMesh` reads and `writeMesh` writes, with their dots. */
-  get extensions(): { read: string[]; written: string[] } {
+  extensions(): Extensions {
     return this.core.extensions();
+  }
+
+  /** Bytes of memory that the library has taken so far; it keeps them. */
+  get memory(): number {
+    return this.core.HEAPU8.length;
   }
 
   /** Reads a mesh with its attributes from the bytes of a file; the name's ending tells the format. Throws IoError. */
   readMesh(name: string, bytes: Uint8Array, options: ReadOptions = {}): Mesh {
-    const { beside = {}, strict = false } = options;
+    const { beside = {}, strict = false, object = null } = options;
     return withFiles(this.core.FS, { ...beside, [name]: bytes }, () => {
       const last = name.replace(/.*[\\/]/, "");
-      return new Mesh(last, valueOf(this.core.readContent(last, strict)));
+      return new Mesh(last, valueOf(this.core.readContent(last, strict, object)));
     });
   }
 

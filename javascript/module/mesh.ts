@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 import type { Content } from "./core.js";
+import type { MeshObject } from "./types.js";
 
 /** A mesh with its attributes. The arrays are copies; the mesh itself is held in WebAssembly's memory until it is freed. */
 export class Mesh {
@@ -12,6 +13,8 @@ export class Mesh {
   readonly notices: readonly string[];
   /** What it has besides the triangles: colors, textureCoordinates, normals, skin, morphs, materials. */
   readonly attributes: readonly string[];
+  /** Its objects, as `object` of `readMesh` chooses one. */
+  readonly objects: readonly MeshObject[];
 
   /** @internal */
   constructor(
@@ -22,6 +25,7 @@ export class Mesh {
     this.triangles = content.triangles();
     this.notices = content.notices();
     this.attributes = content.attributes();
+    this.objects = content.objects();
     registry.register(this, content, this);
   }
 

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 // What `RemoteCounterpart` and its worker say to each other.
+import type { MeshObject } from "./types.js";
 
 /** Functions of Counterpart that a worker runs. */
 export type Call =
+  | "extensions"
   | "readMesh"
   | "makeMesh"
   | "writeMesh"
@@ -25,6 +27,7 @@ export interface MeshMessage extends MeshNumber {
   triangles: Int32Array;
   notices: readonly string[];
   attributes: readonly string[];
+  objects: readonly MeshObject[];
 }
 
 export interface Request {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 import type { Example } from "./counterpart.js";
 import { Canceled, errorOf, InvalidInput } from "./errors.js";
-import { compile } from "./index.js";
+import { compile, libraryAddress } from "./index.js";
 import type { Call, MeshMessage, Reply, Request } from "./messages.js";
 import type {
   Evaluation,
+  Extensions,
   MatchOptions,
   MatchResult,
+  MeshObject,
   Message,
   Progress,
   ReadOptions,
@@ -24,6 +26,7 @@ export interface RemoteMesh {
   readonly triangles: Int32Array;
   readonly notices: readonly string[];
   readonly attributes: readonly string[];
+  readonly objects: readonly MeshObject[];
 }
 
 /** How to stop: work that is under way ends with its worker. */
@@ -52,6 +55,7 @@ class Held implements RemoteMesh {
   readonly triangles: Int32Array;
   readonly notices: readonly string[];
   readonly attributes: readonly string[];
+  readonly objects: readonly MeshObject[];
   meshNumber: number;
 
   constructor(
@@ -65,15 +69,27 @@ class Held implements RemoteMesh {
       triangles: this.triangles,
       notices: this.notices,
       attributes: this.attributes,
+      objects: this.objects,
       meshNumber: this.meshNumber,
     } = message);
     this.worker = worker;
   }
 }
 
-/** Starts a worker that holds the library. `module`: from `compile`. */
+/** Whether threads can share memory here: only in a page that is isolated from others (`crossOriginIsolated`). */
+function canShareMemory(): boolean {
+  if (!globalThis.crossOriginIsolated) return false;
+  try {
+    // As much as the library may come to need: some devices refuse it.
+    return new WebAssembly.Memory({ initial: 1024, maximum: 65536, shared: true }).buffer.byteLength > 0;
+  } catch {
+    return false;
+  }
+}
+
+/** Starts a worker that holds the library, with threads where they can share memory. `module`: from `compile`. */
 export async function startWorker(module?: WebAssembly.Module): Promise<RemoteCounterpart> {
-  return new RemoteCounterpart(module ?? (await compile()));
+  return new RemoteCounterpart(module ?? (await compile(libraryAddress(canShareMemory()))));
 }
 
 /** The functions of Counterpart, run by a worker one after the other, so that the page stays alive. */
@@ -86,6 +102,9 @@ export class RemoteCounterpart {
     this.start();
   }
 
+  extensions(): Promise<Extensions> {
+    return this.ask("extensions", []) as Promise<Extensions>;
+  }
   readMesh(name: string, bytes: Uint8Array, options: ReadOptions = {}): Promise<RemoteMesh> {
     return this.make({ call: "readMesh", given: [name, bytes, options] });
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 /** Told the share of the work that is done, 0 to 1, a few times a second; returning false cancels. */
 export type Progress = (fraction: number) => boolean | void;
-export type Method = "auto" | "exact" | "frontiers" | "partial" | "spectral" | "nearest" | "assignment";
+export type Method = "auto" | "exact" | "frontiers" | "partial" | "spectral" | "place" | "nearest" | "assignment";
 export type Part = "unknown" | "source" | "target" | "both" | "neither";
 /** An axis, or three numbers of any length as a vector. */
 export type Direction = "x" | "y" | "z" | "-x" | "-y" | "-z" | readonly [number, number, number];
@@ -14,6 +14,21 @@ export interface ReadOptions {
   beside?: Readonly<Record<string, Uint8Array>>;
   /** Refuse vertices whose coordinates are no numbers, instead of leaving them out with a notice. */
   strict?: boolean;
+  /** Read this object alone: the one of that name or, if none has it, of that number. Default: the whole file. */
+  object?: string;
+}
+
+/** Endings of files, with their dots. */
+export interface Extensions {
+  read: string[];
+  written: string[];
+}
+
+/** An object of a file: an OBJ's `o` (or `g`), a mesh of a glTF. */
+export interface MeshObject {
+  name: string;
+  nVertices: number;
+  nTriangles: number;
 }
 
 export interface MatchOptions {
@@ -29,6 +44,8 @@ export interface MatchOptions {
   /** Directions that are the same in both frames; `facing` needs `up`. */
   up?: Direction;
   facing?: Direction;
+  /** Whether the target may be the mirror image of what the source shows. Default: "auto", where nothing else fits well. */
+  mirror?: "auto" | "never" | "always";
   /** The orientation-reversing map on purpose: left to right. */
   symmetric?: boolean;
   /** Which mesh shows only a part of the other. Default: "unknown". */
@@ -43,6 +60,10 @@ export interface MatchOptions {
   minShared?: number;
   /** Of spectral: eigenfunctions. */
   basisSize?: number;
+  /** Of spectral: samples, 200 to 5000; default 1000. */
+  nSamples?: number;
+  /** Another one samples and tries otherwise; good maps hardly depend on it. Default: 0. */
+  seed?: number;
   /** Runners-up to report, 0 to 10; default 3. */
   nAlternatives?: number;
   /** A map to be refined instead of searching one. */

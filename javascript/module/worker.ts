@@ -17,8 +17,8 @@ const isNumber = (value: unknown): value is MeshNumber => typeof value === "obje
 
 function kept(mesh: Mesh): MeshMessage {
   meshes.set(++nMeshes, mesh);
-  const { name, vertices, triangles, notices, attributes } = mesh;
-  return { meshNumber: nMeshes, name, vertices, triangles, notices, attributes };
+  const { name, vertices, triangles, notices, attributes, objects } = mesh;
+  return { meshNumber: nMeshes, name, vertices, triangles, notices, attributes, objects };
 }
 
 /** The value with messages in place of the meshes in it. */

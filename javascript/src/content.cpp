@@ -6,6 +6,7 @@
 #include "guarded.hpp"
 
 #include <counterpart/io/mesh_file.hpp>
+#include <counterpart/io/mesh_objects.hpp>
 #include <counterpart/transfer/transfer.hpp>
 
 #include <utility>
@@ -16,10 +17,16 @@
 namespace counterpart::javascript {
 namespace {
 
-val read_content(const std::string& name, bool strict) {
+// `object` null: the whole file.
+val read_content(const std::string& name, bool strict, const val& object) {
     return guarded([&] {
-        AttributedMeshFile file = read_attributed_mesh(name, {.strict = strict});
-        return Content{std::move(file.content), std::move(file.notices)};
+        ReadOptions options{.strict = strict};
+        if (!object.isNull()) options.object = object.as<std::string>();
+        AttributedMeshFile file = read_attributed_mesh(name, options);
+        Content content{std::move(file.content), std::move(file.notices)};
+        content.images = read_base_colors(content.content, name, options);
+        for (std::string& notice : content.images.notices) content.notices.push_back(std::move(notice));
+        return content;
     });
 }
 
@@ -76,13 +83,25 @@ val Content::attributes() const {
     return array_of(names);
 }
 val Content::sentences() const { return array_of(notices); }
+val Content::objects() const {
+    val objects = val::array();
+    for (const MeshObject& object : mesh_objects(content)) {
+        val fields = val::object();
+        fields.set("name", object.name);
+        fields.set("nVertices", object.n_vertices);
+        fields.set("nTriangles", object.n_triangles);
+        objects.call<void>("push", fields);
+    }
+    return objects;
+}
 
 EMSCRIPTEN_BINDINGS(content) {
     emscripten::class_<Content>("Content")
         .function("vertices", &Content::vertices)
         .function("triangles", &Content::triangles)
         .function("attributes", &Content::attributes)
-        .function("notices", &Content::sentences);
+        .function("notices", &Content::sentences)
+        .function("objects", &Content::objects);
     emscripten::function("readContent", &read_content);
     emscripten::function("writeContent", &write_content);
     emscripten::function("contentOf", &content_of);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <counterpart/io/mesh_file.hpp>
 #include <counterpart/mesh/attributed_mesh.hpp>
 
 #include <string>
@@ -15,12 +16,14 @@ namespace counterpart::javascript {
 struct Content {
     AttributedMesh content;
     std::vector<std::string> notices{};  ///< of the reader
+    BaseColors images{};                 ///< of the surface
 
     MeshView mesh() const { return content.mesh; }
     emscripten::val vertices() const;    ///< Float64Array
     emscripten::val triangles() const;   ///< Int32Array
     emscripten::val attributes() const;  ///< names of what it has besides the triangles
     emscripten::val sentences() const;
+    emscripten::val objects() const;  ///< { name, nVertices, nTriangles } of each
 };
 
 }  // namespace counterpart::javascript

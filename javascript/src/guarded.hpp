@@ -6,6 +6,7 @@
 #include <counterpart/base/progress.hpp>
 
 #include <exception>
+#include <memory>
 #include <new>
 
 #include <emscripten/val.h>
@@ -50,7 +51,10 @@ emscripten::val guarded(const Work& work) {
 /// Calls `callback`, a function of JavaScript, or nothing where that is null or undefined.
 inline Progress progress_of(const emscripten::val& callback) {
     if (callback.isNull() || callback.isUndefined()) return {};
-    return [callback](double fraction) { return callback(fraction).as<bool>(); };
+    // Copies are made by threads that know nothing of the function: it belongs to the one that calls it.
+    return [shared = std::make_shared<emscripten::val>(callback)](double fraction) {
+        return (*shared)(fraction).as<bool>();
+    };
 }
 
 }  // namespace counterpart::javascript

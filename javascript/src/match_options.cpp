@@ -20,17 +20,25 @@ using Pairs = std::vector<std::pair<Index, Index>>;
 
 MatchMethod method_of(const std::string& name) {
     if (name == "auto") return MatchMethod::automatic;
-    for (const MatchMethod method : {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial,
-                                     MatchMethod::spectral, MatchMethod::nearest, MatchMethod::assignment})
+    for (const MatchMethod method :
+         {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial, MatchMethod::spectral,
+          MatchMethod::place, MatchMethod::nearest, MatchMethod::assignment})
         if (name == to_string(method)) return method;
     throw InvalidInput("there is no method '" + name +
-                       "': auto, exact, frontiers, partial, spectral, nearest or assignment");
+                       "': auto, exact, frontiers, partial, spectral, place, nearest or assignment");
 }
 
 Part part_of_name(const std::string& name) {
     for (const Part part : {Part::unknown, Part::source, Part::target, Part::both, Part::neither})
         if (name == to_string(part)) return part;
     throw InvalidInput("part cannot be '" + name + "': unknown, source, target, both or neither");
+}
+
+Mirror mirror_of(const std::string& name) {
+    if (name == "auto") return Mirror::automatic;
+    if (name == "never") return Mirror::never;
+    if (name == "always") return Mirror::always;
+    throw InvalidInput("mirror cannot be '" + name + "': auto, never or always");
 }
 
 Eigen::Vector3d direction_of(const Json& value) {
@@ -67,8 +75,13 @@ const std::map<std::string, Setter>& setters() {
         {"aligned", [](MatchOptions& o, const Json& v) { o.spectral.aligned = v.get<bool>(); }},
         {"up", [](MatchOptions& o, const Json& v) { o.spectral.up = direction_of(v); }},
         {"facing", [](MatchOptions& o, const Json& v) { o.spectral.facing = direction_of(v); }},
+        {"mirror",
+         [](MatchOptions& o, const Json& v) { o.spectral.mirror = mirror_of(v.get<std::string>()); }},
         {"symmetric", [](MatchOptions& o, const Json& v) { o.spectral.symmetric = v.get<bool>(); }},
         {"basisSize", [](MatchOptions& o, const Json& v) { o.spectral_shape.basis_size = v.get<int>(); }},
+        {"nSamples", [](MatchOptions& o, const Json& v) { o.spectral_shape.n_samples = v.get<int>(); }},
+        {"seed", [](MatchOptions& o,
+                    const Json& v) { o.spectral_shape.seed = o.partial.seed = v.get<std::uint64_t>(); }},
         {"part", [](MatchOptions& o, const Json& v) { o.partial.part = part_of_name(v.get<std::string>()); }},
         {"sameScale", [](MatchOptions& o, const Json& v) { o.partial.same_scale = v.get<bool>(); }},
         {"nAlternatives",

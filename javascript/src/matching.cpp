@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <emscripten/bind.h>
+#include <fmt/format.h>
 
 namespace counterpart::javascript {
 namespace {
@@ -29,7 +30,8 @@ val runner_ups_of(const MatchResult& result) {
             add(other.target_from_source, other.description);
     if (result.partial && result.method == MatchMethod::partial)
         for (const PartialAlternative& other : result.partial->alternatives)
-            add(other.target_from_source, "another map");
+            add(other.target_from_source,
+                fmt::format("{:.0f} % of the vertices go elsewhere", 100 * other.moved));
     return runner_ups;
 }
 

@@ -15,10 +15,11 @@
 namespace counterpart::javascript {
 namespace {
 
-// Images beside the file are not here any more: what it looks like is shown only as far as it holds it
-// itself.
 ViewerAppearance appearance_of(const Content& content) {
     ViewerAppearance appearance;
+    if (!content.images.images.empty())
+        appearance = {content.content.texture_coordinates[0], content.images.images,
+                      content.images.image_of_triangle};
     if (!content.content.colors.empty()) appearance.colors = content.content.colors[0];
     return appearance;
 }

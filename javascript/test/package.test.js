@@ -103,6 +103,39 @@ test("errors are exceptions with the program's sentences", () => {
   assert.throws(() => counterpart.evaluate(a, b, truth.slice(1), truth), InvalidInput);
 });
 
+test("one object of a file is read alone", () => {
+  const tetrahedron = (name, x) =>
+    `o ${name}\nv ${x} 0 0\nv ${x + 1} 0 0\nv ${x} 1 0\nv ${x} 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n`;
+  const bytes = () => Buffer.from(tetrahedron("left", 0) + tetrahedron("right", 5));
+  const both = counterpart.readMesh("two.obj", bytes());
+  assert.deepEqual(both.objects, [
+    { name: "left", nVertices: 4, nTriangles: 4 },
+    { name: "right", nVertices: 4, nTriangles: 4 },
+  ]);
+  const right = counterpart.readMesh("two.obj", bytes(), { object: "right" });
+  assert.deepEqual(right.vertices, both.vertices.slice(12));
+  assert.deepEqual(counterpart.readMesh("two.obj", bytes(), { object: "1" }).vertices, right.vertices);
+  assert.throws(() => counterpart.readMesh("two.obj", bytes(), { object: "middle" }), /middle/);
+});
+
+test("what the result says is what the program says", () => {
+  run("deform", "a.ply", "part.ply", "--cut", "0.5", "--bend", "20", "--retriangulate", "0.6", "--shuffle", "2");
+  const part = counterpart.readMesh("part.ply", bytesOf("part.ply"));
+  for (const [source, target] of [["a.ply", "b.ply"], ["part.ply", "a.ply"]]) {
+    run("match", source, target, "-o", "said.txt", "--report", "said.json", "--confidence", "said.npy");
+    const said = JSON.parse(bytesOf("said.json").toString());
+    const result = counterpart.match(source === "a.ply" ? a : part, target === "a.ply" ? a : b);
+    assert.equal(result.verdict, said.verdict);
+    assert.equal(result.verdictReason, said.verdict_reason);
+    const sentences = (messages) => messages.map(({ code, severity, sentence }) => ({ code, severity, sentence }));
+    assert.deepEqual(sentences(result.messages), sentences(said.messages));
+    assert.deepEqual(sentences(result.causes), sentences(said.probable_causes));
+    const confidence = bytesOf("said.npy");
+    const numbers = Buffer.from(result.confidence.buffer);
+    assert.ok(numbers.equals(confidence.subarray(confidence.length - numbers.length)));
+  }
+});
+
 test("a glTF that names other files reads those that are given, and no others", () => {
   run("convert", "a.ply", "a.gltf");
   const outside = JSON.stringify({ asset: { version: "2.0" }, buffers: [{ uri: "../../etc/passwd", byteLength: 10 }] });

@@ -13,6 +13,7 @@ const error: Error = new InvalidInput(String(image));
 const remote: RemoteCounterpart = await startWorker();
 const [b, c] = await remote.example("part");
 const promised: Promise<MatchResult> = remote.match(b, c, { signal: new AbortController().signal });
+const names: string[] = a.objects.map(({ name }) => name);
 // @ts-expect-error: no such method
 counterpart.match(a, a, { method: "best" });
 // @ts-expect-error: a landmark is a pair
@@ -20,4 +21,4 @@ counterpart.match(a, a, { landmarks: [[1]] });
 // @ts-expect-error: what a mesh holds is its own
 a.content;
 
-export { error, promised };
+export { error, names, promised };

@@ -16,9 +16,7 @@
 #include <mutex>
 #include <string>
 
-#if defined(COUNTERPART_NO_THREADS)
-#include "base/no_threads.hpp"
-#elif defined(COUNTERPART_PLAIN_THREADS)
+#if defined(COUNTERPART_PLAIN_THREADS)
 #include "base/plain_threads.hpp"
 #else
 #include "base/tbb_threads.hpp"
@@ -26,9 +24,7 @@
 
 namespace counterpart::base {
 
-#if defined(COUNTERPART_NO_THREADS)
-namespace threads = no_threads;
-#elif defined(COUNTERPART_PLAIN_THREADS)
+#if defined(COUNTERPART_PLAIN_THREADS)
 namespace threads = plain_threads;
 #else
 namespace threads = tbb_threads;

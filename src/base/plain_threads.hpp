@@ -1,24 +1,42 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What parallel.hpp needs, by plain threads: for the thread sanitizer, which takes every hand-over inside an
-// uninstrumented TBB for a race. Slow, and simple enough to be seen right.
+// What parallel.hpp needs, by threads of the standard library: for WebAssembly, and for the thread sanitizer,
+// which takes every hand-over inside an uninstrumented TBB for a race. Simple enough to be seen right.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
-#include <exception>
 #include <functional>
+#include <future>
+#include <list>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#ifdef __EMSCRIPTEN__
+#include <emscripten/threading.h>
+#endif
 
 namespace counterpart::base::plain_threads {
 
+/// Whether there are threads: WebAssembly has them only where a page is isolated from others.
+inline bool can_start() {
+#ifdef __EMSCRIPTEN__
+    return emscripten_has_threading_support() != 0;
+#else
+    return true;
+#endif
+}
+
 /// How many threads a loop that starts on this thread may use.
-inline thread_local int allowed = static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
+inline thread_local int allowed =
+    can_start() ? static_cast<int>(std::max(2U, std::thread::hardware_concurrency())) : 1;
 
 inline int n_allowed() { return allowed; }
 
@@ -28,48 +46,130 @@ auto with_threads(int n_threads, const Work& work) {
         int before = allowed;
         ~Restored() { allowed = before; }
     } const restored;
-    if (n_threads > 0) allowed = n_threads;
+    if (n_threads > 0 && can_start()) allowed = n_threads;
     return work();
 }
 
-/// work() on so many threads, this one among them, each with its share of the threads for loops inside. The
-/// first exception reaches the caller.
-template <class Work>
-void on_each(int n_threads, const Work& work) {
-    std::exception_ptr first;
-    std::mutex mutex;
-    const int share = std::max(1, allowed / n_threads);
-    const auto guarded = [&] {
-        try {
-            with_threads(share, work);
-        } catch (...) {
-            const std::lock_guard lock(mutex);
-            if (!first) first = std::current_exception();
-        }
-    };
-    {
-        std::vector<std::jthread> others;
-        for (int other = 1; other < n_threads; ++other) others.emplace_back(guarded);
-        guarded();
+/// Threads that wait for work. They are kept: a page starts none while its code runs.
+class Helpers {
+  public:
+    static Helpers& all() {
+        static Helpers helpers;
+        return helpers;
     }
-    if (first) std::rethrow_exception(first);
+    Helpers() = default;
+    Helpers(const Helpers&) = delete;
+    Helpers& operator=(const Helpers&) = delete;
+    ~Helpers() {
+        {
+            const std::lock_guard lock(mutex_);
+            ending_ = true;
+        }
+        changed_.notify_all();
+        for (std::thread& thread : threads_) thread.join();
+    }
+
+    /// work() on this thread and on up to `n_others` more, each when it is free; returns once all are done.
+    /// It lets no exception through. Nobody waits for a thread that has not begun, so that works may share
+    /// within.
+    void share(int n_others, const std::function<void()>& work) {
+        const auto job = std::make_shared<Job>(Job{work, n_others});
+        post(job);
+        work();
+        std::unique_lock lock(mutex_);
+        take_back(*job);
+        changed_.wait(lock, [&] { return job->n_running == 0; });
+    }
+
+    /// work() on another thread.
+    void start(std::function<void()> work) { post(std::make_shared<Job>(Job{std::move(work), 1})); }
+
+  private:
+    struct Job {
+        std::function<void()> work;
+        int n_wanted = 0;  // threads that may still come
+        int n_running = 0;
+    };
+
+    void post(const std::shared_ptr<Job>& job) {
+        {
+            const std::lock_guard lock(mutex_);
+            jobs_.push_back(job);
+            n_needed_ += job->n_wanted;
+            while (threads_.size() < static_cast<std::size_t>(n_needed_))
+                threads_.emplace_back([this] { serve(); });
+        }
+        changed_.notify_all();
+    }
+
+    void take_back(Job& job) {
+        n_needed_ -= std::exchange(job.n_wanted, 0);
+        jobs_.remove_if([&](const auto& other) { return other.get() == &job; });
+    }
+
+    void serve() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            changed_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
+            if (ending_) return;
+            const std::shared_ptr<Job> job = jobs_.back();  // the innermost, for which others wait
+            ++job->n_running;
+            if (--job->n_wanted == 0) jobs_.pop_back();
+            lock.unlock();
+            job->work();
+            lock.lock();
+            --job->n_running;
+            --n_needed_;
+            changed_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::list<std::shared_ptr<Job>> jobs_;
+    std::vector<std::thread> threads_;
+    int n_needed_ = 0;  // threads that work or are wanted
+    bool ending_ = false;
+};
+
+/// work() on another thread, with as many threads as it could use on this one.
+template <class Work>
+auto start(const Work& work) {
+    const auto task = std::make_shared<std::packaged_task<decltype(work())()>>(
+        [work, share = allowed] { return plain_threads::with_threads(share, work); });
+    auto result = task->get_future();
+    Helpers::all().start([task] { (*task)(); });
+    return result;
 }
 
-/// run(begin, end) for pieces of [0, count) of `grain` items, each by the thread that is free first.
+/// run(begin, end) for pieces of [0, count) of at least `grain` items, each by the thread that is free first;
+/// these have their share of the threads for loops inside.
 template <class Run>
 void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
     if (count == 0) return;
-    const std::size_t piece = std::max<std::size_t>(grain, 1), n_pieces = (count + piece - 1) / piece;
+    if (allowed == 1) return run(std::size_t{0}, count);
+    // Several for each thread, as some take longer than others.
+    const std::size_t piece =
+        std::max({grain, std::size_t{1}, count / (16 * static_cast<std::size_t>(allowed))});
+    const std::size_t n_pieces = (count + piece - 1) / piece;
+    const int n_threads = static_cast<int>(std::min(n_pieces, static_cast<std::size_t>(allowed)));
     std::atomic<std::size_t> next = 0;
-    on_each(static_cast<int>(std::min(n_pieces, static_cast<std::size_t>(allowed))), [&] {
-        for (std::size_t i = next++; i < n_pieces; i = next++)
-            run(i * piece, std::min(count, (i + 1) * piece));
-    });
+    const auto work = [&, share = std::max(1, allowed / n_threads)] {
+        plain_threads::with_threads(share, [&] {
+            for (std::size_t i = next++; i < n_pieces; i = next++)
+                run(i * piece, std::min(count, (i + 1) * piece));
+        });
+    };
+    if (n_threads == 1) return work();
+    Helpers::all().share(n_threads - 1, work);
 }
 
 template <class First, class Second>
 void invoke(const First& first, const Second& second) {
-    for_pieces(2, 1, [&](std::size_t i, std::size_t) { i == 0 ? first() : second(); });
+    for_pieces(2, 1, [&](std::size_t begin, std::size_t end) {
+        if (begin == 0) first();
+        if (end == 2) second();
+    });
 }
 
 /// work(): no thread here takes up another's.

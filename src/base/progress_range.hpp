@@ -4,6 +4,8 @@
 // Progress of work that runs in parallel, told to a callback that must be called from the calling thread.
 #pragma once
 
+#include "base/parallel.hpp"
+
 #include <counterpart/base/progress.hpp>
 
 #include <algorithm>
@@ -72,34 +74,46 @@ class ProgressRange {
     double first_ = 0, last_ = 1;
 };
 
+/// How often progress is told.
+inline constexpr std::chrono::milliseconds report_interval(30);
+
+/// work(range) on a thread of its own, while this one reports.
+template <class Work>
+auto reported_beside(const Progress& progress, const Work& work) {
+    WorkState state;
+    auto running = threads::start([&] { return work(ProgressRange(state)); });
+    try {
+        do report_progress(progress, state.fraction);
+        while (running.wait_for(report_interval) != std::future_status::ready);
+    } catch (...) {
+        state.canceled = true;
+        running.wait();  // for the work to notice
+        throw;
+    }
+    return running.get();
+}
+
+/// work(range), which reports between its steps.
+template <class Work>
+auto reported_between(const Progress& progress, const Work& work) {
+    WorkState state;
+    auto last = std::chrono::steady_clock::now() - report_interval;
+    state.reached = [&] {
+        const auto now = std::chrono::steady_clock::now();
+        if (now - last < report_interval) return;
+        last = now;
+        report_progress(progress, state.fraction);
+    };
+    return work(ProgressRange(state));
+}
+
 /// Returns work(range). With a callback the work runs on a thread of its own, and this one calls `progress`
 /// a few times a second with what the work has reached, and at last with 1. Where there is one thread only,
 /// it reports between the steps of its work.
 template <class Work>
 auto with_progress(const Progress& progress, const Work& work) {
     if (!progress) return work(ProgressRange());
-    constexpr std::chrono::milliseconds interval(30);
-    WorkState state;
-#ifdef COUNTERPART_NO_THREADS
-    auto last = std::chrono::steady_clock::now() - interval;
-    state.reached = [&] {
-        const auto now = std::chrono::steady_clock::now();
-        if (now - last < interval) return;
-        last = now;
-        report_progress(progress, state.fraction);
-    };
-    auto result = work(ProgressRange(state));
-#else
-    auto running = std::async(std::launch::async, [&] { return work(ProgressRange(state)); });
-    try {
-        do report_progress(progress, state.fraction);
-        while (running.wait_for(interval) != std::future_status::ready);
-    } catch (...) {
-        state.canceled = true;
-        throw;  // the future's destructor waits for the work to notice
-    }
-    auto result = running.get();
-#endif
+    auto result = threads::can_start() ? reported_beside(progress, work) : reported_between(progress, work);
     report_progress(progress, 1);
     return result;
 }

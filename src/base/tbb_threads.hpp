@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <future>
 #include <optional>
 
 #include <tbb/blocked_range.h>
@@ -28,6 +29,14 @@ auto with_threads(int n_threads, const Work& work) {
         control.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(n_threads));
     tbb::task_arena arena(n_threads == 0 ? tbb::task_arena::automatic : n_threads);
     return arena.execute(work);
+}
+
+constexpr bool can_start() { return true; }
+
+/// work() on another thread.
+template <class Work>
+auto start(const Work& work) {
+    return std::async(std::launch::async, work);
 }
 
 template <class First, class Second>

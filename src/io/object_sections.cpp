@@ -3,9 +3,18 @@
 #include "io/object_sections.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <unordered_map>
 
 namespace counterpart::io {
+namespace {
+
+void fill(std::vector<Index>& items, std::int64_t begin, std::int64_t end, Index value) {
+    std::fill(items.begin() + static_cast<std::ptrdiff_t>(begin),
+              items.begin() + static_cast<std::ptrdiff_t>(end), value);
+}
+
+}  // namespace
 
 void ObjectSections::begin(std::string_view name, std::int64_t n_vertices, std::int64_t n_triangles) {
     if (sections_.empty() && (n_vertices > 0 || n_triangles > 0)) sections_.push_back({});
@@ -31,14 +40,14 @@ MeshObjects ObjectSections::objects(Index n_vertices, Index n_triangles, SameNam
         const auto next = static_cast<Index>(found.names.size());
         of_section[i] = same_name == SameName::one ? known.emplace(name, next).first->second : next;
         if (of_section[i] == next) found.names.push_back(name);
-        std::fill(found.of_triangle.begin() + first, found.of_triangle.begin() + end, of_section[i]);
+        fill(found.of_triangle, first, end, of_section[i]);
     }
     for (std::size_t i = 0; i < sections_.size(); ++i) {
         const auto& [name, first, first_triangle] = sections_[i];
         const std::int64_t end = i + 1 < sections_.size() ? sections_[i + 1].first_vertex : n_vertices;
         const auto other = known.find(name);  // a section of this name that has triangles
         const Index object = of_section[i] < 0 && other != known.end() ? other->second : of_section[i];
-        std::fill(found.of_vertex.begin() + first, found.of_vertex.begin() + end, object);
+        fill(found.of_vertex, first, end, object);
     }
     return found;
 }

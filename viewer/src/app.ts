@@ -141,6 +141,12 @@ export class App {
 
   // ---- for scripts ----
 
+  /** Pairs that are known already, as if they had been picked. */
+  addLandmarks(pairs: readonly (readonly [number, number])[]): void {
+    this.landmarks.pairs.push(...pairs.map(([source, target]): [number, number] => [source, target]));
+    this.showLandmarks();
+  }
+
   /** Where a vertex is on the page; of the target, where it is seen through a map (default: the current one). */
   screenPosition(side: Side, vertex: number, map = this.mapIndex): ScreenPoint {
     const point = this.stage.project(side === "source" ? 0 : this.paneOf(map), vertex);

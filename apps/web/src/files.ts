@@ -10,10 +10,16 @@ export interface MeshFiles {
 
 const ending = (file: File) => /\.[^.]+$/.exec(file.name)?.[0].toLowerCase() ?? "";
 
+/** Whether a file holds the vertices of another one: a .node beside its .ele or .poly. */
+function isNamedBy(file: File, others: File[]): boolean {
+  const stem = file.name.slice(0, -".node".length);
+  return ending(file) === ".node" && others.some(({ name }) => name === `${stem}.ele` || name === `${stem}.poly`);
+}
+
 /** The meshes among these files, each with all that are none. Without a mesh the first file is taken for one, so that reading it
  * says what is wrong. */
 export function meshesAmong(files: File[], readable: readonly string[]): MeshFiles[] {
-  const meshes = files.filter((file) => readable.includes(ending(file)));
+  const meshes = files.filter((file) => readable.includes(ending(file)) && !isNamedBy(file, files));
   const beside = files.filter((file) => !meshes.includes(file));
   if (meshes.length === 0 && beside.length > 0) meshes.push(beside.shift()!);
   return meshes.map((mesh) => ({ mesh, beside }));
@@ -23,10 +29,11 @@ async function bytesOf(file: File): Promise<Uint8Array> {
   return new Uint8Array(await file.arrayBuffer());
 }
 
-export async function readFiles(library: RemoteCounterpart, { mesh, beside }: MeshFiles): Promise<RemoteMesh> {
+/** `object`: of the file, or the whole if it is empty. */
+export async function readFiles(library: RemoteCounterpart, { mesh, beside }: MeshFiles, object: string): Promise<RemoteMesh> {
   const others: Record<string, Uint8Array> = {};
   for (const file of beside) others[file.name] = await bytesOf(file);
-  return library.readMesh(mesh.name, await bytesOf(mesh), { beside: others });
+  return library.readMesh(mesh.name, await bytesOf(mesh), { beside: others, ...(object !== "" && { object }) });
 }
 
 /** Hands a file to the person. */

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-import { Canceled, type Example, type MatchOptions, type MatchResult, type Message, type Pair } from "counterpart3d";
+import type { Example, MatchOptions, MatchResult, MeshObject, Message, Pair } from "counterpart3d";
+import { Canceled } from "counterpart3d";
 import { type RemoteCounterpart, type RemoteMesh, startWorker } from "counterpart3d/worker";
 import { listenForFiles, type MeshFiles, meshesAmong, readFiles, save } from "./files";
+import { isolate } from "./isolation";
+import { offerObjects } from "./objects";
 import { showScene } from "./view";
 import { sizeOf, summaryOf, timeLeft } from "./words";
 
-const readable = [".off", ".obj", ".ply", ".stl", ".glb", ".gltf", ".msh", ".mesh", ".vtk", ".vtp", ".gii", ".ele", ".poly"];
 const sides = ["source", "target"] as const;
 type Side = (typeof sides)[number];
 
@@ -18,16 +20,23 @@ const isChecked = (id: string) => element<HTMLInputElement>(id).checked;
 
 /** Holds what was dropped and found, and keeps the page to it. */
 class Page {
-  private readonly library: Promise<RemoteCounterpart> = startWorker();
+  private isUsed = false;
+  private readonly library: Promise<RemoteCounterpart> = isolate(() => !this.isUsed).then(() => startWorker());
+  private readonly files: Partial<Record<Side, MeshFiles>> = {};
   private readonly meshes: Partial<Record<Side, RemoteMesh>> = {};
-  private landmarks: Pair[] = [];
+  /** Those that the map was found with, and those that are picked now. */
+  private used: readonly Pair[] = [];
+  private landmarks: readonly Pair[] = [];
   private running: AbortController | null = null;
   private result: MatchResult | null = null;
 
   constructor() {
     this.library.catch((error) => this.fail(error));
     for (const side of sides) {
-      listenForFiles(element(`${side}-drop`), element<HTMLInputElement>(`${side}-file`), (files) => void this.take(side, files));
+      const input = element<HTMLInputElement>(`${side}-file`);
+      listenForFiles(element(`${side}-drop`), input, (files) => void this.take(side, files));
+      const object = `${side}-object`;
+      element(object).addEventListener("change", () => void this.read(side, this.files[side]!, valueOf(object)));
     }
     for (const button of document.querySelectorAll<HTMLButtonElement>("[data-example]")) {
       button.addEventListener("click", () => void this.takeExample(button.dataset.example as Example));
@@ -47,21 +56,26 @@ class Page {
 
   /** Two meshes at once are source and target, wherever they are dropped. */
   private async take(side: Side, files: File[]): Promise<void> {
-    const found = meshesAmong(files, readable);
-    if (found.length > 1) {
-      for (const [i, each] of sides.entries()) await this.read(each, found[i]);
-    } else {
-      await this.read(side, found[0]);
-    }
+    this.isUsed = true;
+    element(`${side}-name`).textContent = "reading ...";
+    const found = meshesAmong(files, (await (await this.library).extensions()).read);
+    for (const [i, each] of (found.length > 1 ? sides : [side]).entries()) await this.read(each, found[i], "");
   }
 
-  private async read(side: Side, files: MeshFiles): Promise<void> {
+  /** `object`: of the file, or the whole if it is empty. */
+  private async read(side: Side, files: MeshFiles, object: string): Promise<void> {
+    this.running?.abort();
     this.clear();
-    delete this.meshes[side];
     element(`${side}-name`).textContent = `reading ${files.mesh.name} ...`;
     try {
-      this.hold(side, await readFiles(await this.library, files));
+      const library = await this.library;
+      this.release(side, library);
+      const mesh = await readFiles(library, files, object);
+      this.hold(side, mesh);
+      this.files[side] = files;
+      if (object === "") this.offer(side, mesh.objects);
     } catch (error) {
+      if (object === "") this.offer(side, []);
       element(`${side}-name`).textContent = "Drop a mesh here, or choose a file";
       this.fail(error);
     }
@@ -69,14 +83,28 @@ class Page {
   }
 
   private async takeExample(kind: Example): Promise<void> {
+    this.isUsed = true;
+    this.running?.abort();
     this.clear();
     try {
-      const pair = await (await this.library).example(kind);
+      const library = await this.library;
+      for (const side of sides) this.release(side, library);
+      for (const side of sides) this.offer(side, []);
+      const pair = await library.example(kind);
       for (const [i, side] of sides.entries()) this.hold(side, pair[i]);
       await this.match([]);
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  private release(side: Side, library: RemoteCounterpart): void {
+    if (this.meshes[side]) library.free(this.meshes[side]);
+    delete this.meshes[side];
+  }
+
+  private offer(side: Side, objects: readonly MeshObject[]): void {
+    offerObjects(element<HTMLSelectElement>(`${side}-object`), objects);
   }
 
   private hold(side: Side, mesh: RemoteMesh): void {
@@ -86,7 +114,7 @@ class Page {
 
   // ---- matching ----
 
-  private options(landmarks: Pair[]): MatchOptions {
+  private options(landmarks: readonly Pair[]): MatchOptions {
     return {
       method: valueOf("method") as NonNullable<MatchOptions["method"]>,
       part: valueOf("part") as NonNullable<MatchOptions["part"]>,
@@ -97,11 +125,12 @@ class Page {
     };
   }
 
-  private async match(landmarks: Pair[]): Promise<void> {
+  private async match(landmarks: readonly Pair[]): Promise<void> {
     const { source, target } = this.meshes;
-    if (!source || !target || this.running) return;
+    if (!source || !target || (this.running && !this.running.signal.aborted)) return;
     this.clear();
-    this.running = new AbortController();
+    this.used = landmarks;
+    const running = (this.running = new AbortController());
     this.update();
     const start = performance.now();
     const seconds = () => (performance.now() - start) / 1000;
@@ -109,7 +138,7 @@ class Page {
       const library = await this.library;
       this.result = await library.match(source, target, {
         ...this.options(landmarks),
-        signal: this.running.signal,
+        signal: running.signal,
         onProgress: (fraction) => {
           element<HTMLProgressElement>("bar").value = fraction;
           element("left").textContent = timeLeft(fraction, seconds());
@@ -119,19 +148,21 @@ class Page {
       const { targetFromSource, confidence, runnerUps } = this.result;
       const maps = [{ targetFromSource, description: "match" }, ...runnerUps];
       const scene = await library.viewerScene(source, target, maps, confidence);
-      await showScene(element<HTMLIFrameElement>("viewer"), scene, (pairs) => this.hear(pairs));
+      if (!running.signal.aborted)
+        await showScene(element<HTMLIFrameElement>("viewer"), scene, landmarks, (pairs) => this.hear(pairs));
     } catch (error) {
-      this.fail(error);
+      if (!running.signal.aborted) this.fail(error);
     }
+    if (this.running !== running) return; // another has begun
     this.running = null;
     this.update();
   }
 
-  private hear(pairs: Pair[]): void {
+  private hear(pairs: readonly Pair[]): void {
     this.landmarks = pairs;
     const again = element("match-again");
-    again.hidden = pairs.length === 0;
-    again.textContent = `Match again with ${pairs.length} ${pairs.length === 1 ? "landmark" : "landmarks"}`;
+    again.hidden = String(pairs) === String(this.used);
+    again.textContent = `Match again with ${pairs.length || "no"} ${pairs.length === 1 ? "landmark" : "landmarks"}`;
   }
 
   // ---- downloads ----
@@ -214,7 +245,6 @@ class Page {
   private clear(): void {
     for (const id of ["error", "result", "viewer", "match-again"]) element(id).hidden = true;
     element("viewer").removeAttribute("src");
-    this.landmarks = [];
     this.result = null;
   }
 

@@ -3,13 +3,14 @@
 import type { Pair, ViewerScene } from "counterpart3d";
 
 interface Viewer extends Window {
-  show(description: string, arrays: Uint8Array): void;
+  show(description: string, arrays: Uint8Array, landmarks: readonly Pair[]): void;
 }
 
-/** Loads the viewer's frame anew with this scene; `landmarked` is told the pairs that are clicked. */
+/** Loads the viewer's frame anew with this scene and the landmarks; `landmarked` is told the pairs once others are clicked. */
 export async function showScene(
   frame: HTMLIFrameElement,
   scene: ViewerScene,
+  landmarks: readonly Pair[],
   landmarked: (pairs: Pair[]) => void,
 ): Promise<void> {
   frame.hidden = false;
@@ -19,5 +20,5 @@ export async function showScene(
   });
   const viewer = frame.contentWindow as Viewer;
   viewer.addEventListener("landmarks", (event) => landmarked([...(event as CustomEvent<Pair[]>).detail]));
-  viewer.show(scene.description, scene.arrays);
+  viewer.show(scene.description, scene.arrays, landmarks);
 }

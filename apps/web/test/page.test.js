@@ -2,64 +2,21 @@
 // SPDX-License-Identifier: MIT
 // Uses the built page as a person would.
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { folder, write, writePair } from "./meshes.js";
-import { launch, open, serve } from "./site.js";
+import { test } from "node:test";
+import { write, writePair } from "./meshes.js";
+import { canMatch, give, matched, picture, resultOf, saved, text, visits, within } from "./visit.js";
 
-const screenshots = process.env.SCREENSHOTS ?? join(folder, "screenshots");
-mkdirSync(screenshots, { recursive: true });
-const picture = (page, name) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage: true });
+const start = visits();
 
-let browser;
-let site;
-before(async () => {
-  site = await serve();
-  browser = await launch();
-});
-after(async () => {
-  await browser?.close();
-  site?.server.close();
-});
-
-const start = (options) => open(browser, site.address, options);
-const patience = { timeout: 300_000 };
-const text = (page, id) => page.locator(`#${id}`).innerText();
-
-/** Waits for a result and for its view. */
-async function resultOf(page) {
-  await page.waitForSelector("#result:not([hidden]), #error:not([hidden])", patience);
-  assert.ok(await page.isHidden("#error"), await page.locator("#error").textContent());
-  const frame = await (await page.waitForSelector("#viewer:not([hidden])", patience)).contentFrame();
-  await frame.waitForFunction(() => window.counterpart?.frames > 0, null, patience);
-  await page.waitForSelector("#cancel", { state: "hidden", ...patience });
-  return frame;
-}
-
-async function give(page, source, target) {
-  await page.setInputFiles("#source-file", source);
-  await page.waitForFunction(() => /vertices/.test(document.getElementById("source-name").textContent), null, patience);
-  await page.setInputFiles("#target-file", target);
-  await page.waitForFunction(() => !document.getElementById("match").disabled, null, patience);
-}
-
-async function saved(page, id) {
-  const [download] = await Promise.all([page.waitForEvent("download", patience), page.click(`#${id}`)]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
-
-test("the page stands within a second, asks only its own server, and breaks no rule of its policy", async (context) => {
-  const { page, context: tab, complaints, requests, milliseconds } = await start();
-  context.diagnostic(`interactive after ${milliseconds.toFixed(0)} ms`);
+test("the page stands within a second, and its policy lets nothing out", async (context) => {
+  const { page, milliseconds, end } = await start();
+  within(context, "seconds until it can be used", milliseconds / 1000, 1);
   assert.match(await text(page, "input"), /Drop a mesh here/);
-  await page.click("[data-example=shuffled]");
-  await resultOf(page);
-  assert.deepEqual(complaints, []);
-  assert.deepEqual(requests.filter((url) => !url.startsWith(site.address) && !url.startsWith("data:")), []);
   const policy = await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content");
   assert.ok(policy.startsWith("default-src 'none'") && !/unsafe-(inline|eval)/.test(policy.replace("wasm-unsafe-eval", "")));
-  await tab.close();
+  const refused = (address) => page.evaluate((to) => fetch(to, { mode: "no-cors" }).then(() => false, () => true), address);
+  assert.ok(await refused("http://127.0.0.1:9/"));
+  await end([/Content Security Policy/]);
 });
 
 for (const [kind, method, verdict] of [
@@ -68,160 +25,131 @@ for (const [kind, method, verdict] of [
   ["part", "partial", /^(use|check)$/],
 ]) {
   test(`the example '${kind}' is matched by ${method}`, async (context) => {
-    const { page, context: tab, complaints } = await start();
+    const { page, end } = await start();
     await page.click(`[data-example=${kind}]`);
-    await resultOf(page);
+    const frame = await resultOf(page);
     context.diagnostic(await text(page, "summary"));
     assert.match(await text(page, "summary"), new RegExp(`by ${method} in`));
     assert.match(await text(page, "verdict"), verdict);
+    const offered = await frame.locator("#map option").allInnerTexts();
+    context.diagnostic(`maps: ${offered.join(", ")}`);
+    assert.ok(kind === "shuffled" || offered.length > 1);
+    assert.deepEqual(await frame.locator("#values option").allInnerTexts(), ["confidence of match"]);
     await picture(page, kind);
-    assert.deepEqual(complaints, []);
-    await tab.close();
+    await end();
   });
 }
 
-test("two files are matched; the map, the reordered mesh and a GLB are downloaded", async () => {
-  const { source, target, truth } = writePair(70, 32);
-  const { page, context: tab } = await start();
-  await page.setInputFiles("#source-file", [source, target]);
-  await page.waitForFunction(() => !document.getElementById("match").disabled);
-  await page.click("#match");
-  await resultOf(page);
-  const map = await saved(page, "save-map");
-  assert.equal(map.name, "map.txt");
-  assert.deepEqual(Uint32Array.from(map.bytes.toString().trim().split("\n"), Number), truth);
-  assert.match((await saved(page, "save-reordered")).bytes.toString("latin1"), /^ply/);
-  const glb = await saved(page, "save-glb");
-  assert.equal(glb.bytes.toString("latin1", 0, 4), "glTF");
-  assert.ok(glb.bytes.includes("COLOR_0"));
-  await tab.close();
-});
-
-test("an exact pair of 100 000 vertices", async (context) => {
-  const { source, target } = writePair(400, 250, "large");
-  const { page, context: tab } = await start();
-  await give(page, source, target);
-  await page.click("#match");
-  await resultOf(page);
-  context.diagnostic(await text(page, "summary"));
-  assert.match(await text(page, "summary"), /Matched 100,000 of 100,000 vertices by exact/);
-  await tab.close();
+test("without threads the page does the same", async () => {
+  const texts = [];
+  for (const serviceWorkers of ["allow", "block"]) {
+    const { page, end } = await start({ serviceWorkers });
+    assert.equal(await page.evaluate(() => window.crossOriginIsolated), serviceWorkers === "allow");
+    await page.click("[data-example=part]");
+    await resultOf(page);
+    texts.push((await saved(page, "save-map")).bytes.toString());
+    await end();
+  }
+  assert.equal(texts[0], texts[1]);
 });
 
 test("an unlike pair is not said to be good", async () => {
   const { source } = writePair(60, 40, "ring");
   const cube = write("cube.obj", gridOfCube(12));
-  const { page, context: tab } = await start();
+  const { page, end } = await start();
   await give(page, source, cube);
-  await page.click("#match");
-  await resultOf(page);
+  await matched(page);
   assert.notEqual(await text(page, "verdict"), "use");
   assert.notEqual(await text(page, "verdict-reason"), "");
   await picture(page, "unlike");
-  await tab.close();
-});
-
-test("broken files are refused with the place and the reason, and others can follow", async () => {
-  const { source, target } = writePair(20, 12, "small");
-  const { page, context: tab } = await start();
-  const refused = async (file, sentence) => {
-    await page.setInputFiles("#source-file", file);
-    await page.waitForSelector("#error:not([hidden])");
-    assert.match(await text(page, "error"), sentence);
-    assert.ok(await page.isDisabled("#match"));
-  };
-  await refused(write("broken.obj", "v 0 0 0\nv 1 0 zero\n"), /broken\.obj:2: .*zero/);
-  await picture(page, "broken");
-  const named = { asset: { version: "2.0" }, buffers: [{ uri: "https://example.org/mesh.bin", byteLength: 4 }] };
-  await refused(write("named.gltf", JSON.stringify(named)), /example\.org/);
-  await refused(write("notes.txt", "hello"), /must end in/);
-  await give(page, source, target);
-  await page.click("#match");
-  await resultOf(page);
-  await tab.close();
-});
-
-test("a file of 200 MB is read or refused, and the page lives on", async (context) => {
-  const { source } = writePair(20, 12, "small");
-  const { page, context: tab } = await start();
-  const large = writePair(2600, 1900, "huge").source;
-  await page.setInputFiles("#source-file", large);
-  await page.waitForFunction(
-    () => /vertices/.test(document.getElementById("source-name").textContent) || !document.getElementById("error").hidden,
-    null,
-    patience,
-  );
-  context.diagnostic(await text(page, "source-name"));
-  await page.setInputFiles("#source-file", source);
-  await page.waitForFunction(() => /240 vertices/.test(document.getElementById("source-name").textContent), null, patience);
-  await tab.close();
+  await end();
 });
 
 test("work is canceled, and begun again", async () => {
-  const { page, context: tab } = await start();
+  const { page, end } = await start();
   await page.click("[data-example=remeshed]");
-  await page.waitForFunction(() => document.getElementById("bar").value > 0, null, patience);
+  await page.waitForFunction(() => document.getElementById("bar").value > 0);
+  await picture(page, "running");
   await page.click("#cancel");
   await page.waitForSelector("#cancel", { state: "hidden" });
   assert.ok((await page.isHidden("#result")) && (await page.isHidden("#error")));
   await page.click("#options summary");
   await page.selectOption("#method", "nearest");
-  await page.click("#match");
-  await resultOf(page);
-  await tab.close();
+  await matched(page);
+  await end();
+});
+
+test("other files while it works are taken in place of it", async () => {
+  const { source, target } = writePair(20, 12, "small");
+  const { page, end } = await start();
+  await page.click("[data-example=remeshed]");
+  await page.waitForFunction(() => document.getElementById("bar").value > 0);
+  await page.setInputFiles("#source-file", [source, target]);
+  await page.waitForFunction(() => /small_bent/.test(document.getElementById("target-name").textContent));
+  await canMatch(page);
+  await matched(page);
+  assert.match(await text(page, "summary"), /240 of 240/);
+  await end();
 });
 
 test("a tab is closed while it works", async () => {
-  const { page, context: tab } = await start();
+  const { page, tab, end } = await start();
   await page.click("[data-example=remeshed]");
   await page.waitForSelector("#cancel:not([hidden])");
+  const address = page.url();
   await page.close();
   const next = await tab.newPage();
-  await next.goto(site.address);
+  await next.goto(address);
   assert.match(await text(next, "input"), /Drop a mesh here/);
-  await tab.close();
+  await end();
 });
 
-test("landmarks are clicked and used", async () => {
-  const { page, context: tab } = await start();
-  await page.click("[data-example=shuffled]");
-  const frame = await resultOf(page);
-  await frame.check("#picking");
+/** Clicks vertices of the viewer that are seen on both sides: one of each mesh. */
+async function pickLandmark(page, frame, nth) {
+  const pair = await frame.evaluate((skipped) => {
+    const { image } = window.counterpart.scene.maps[0];
+    const isSeen = (side, vertex) => window.counterpart.screenPosition(side, vertex).facing;
+    const pairs = Array.from(image, (to, from) => [from, to]);
+    return pairs.filter(([from, to]) => to >= 0 && isSeen("source", from) && isSeen("target", to))[skipped];
+  }, nth);
   const box = await page.locator("#viewer").boundingBox();
-  const click = async (side, vertex) => {
-    const at = await frame.evaluate(([side, vertex]) => window.counterpart.screenPosition(side, vertex), [side, vertex]);
+  for (const [i, side] of ["source", "target"].entries()) {
+    const at = await frame.evaluate(([side, vertex]) => window.counterpart.screenPosition(side, vertex), [side, pair[i]]);
     await page.mouse.click(box.x + at.x, box.y + at.y);
-  };
-  // A vertex that is seen on both sides.
-  const [from, to] = await frame.evaluate(() => {
-    const { scene } = window.counterpart;
-    const seen = (side, vertex) => window.counterpart.screenPosition(side, vertex).facing;
-    const { image } = scene.maps[0];
-    const isSeen = (image, v) => image >= 0 && seen("source", v) && seen("target", image);
-    const v = image.findIndex(isSeen);
-    return [v, image[v]];
-  });
-  await click("source", from);
-  await click("target", to);
+  }
+}
+
+test("landmarks are clicked and used, and others are added to them", async () => {
+  const { page, end } = await start();
+  await page.click("[data-example=shuffled]");
+  let frame = await resultOf(page);
+  await frame.check("#picking");
+  await pickLandmark(page, frame, 0);
   assert.equal(await text(page, "match-again"), "Match again with 1 landmark");
   await picture(page, "landmarks");
   await page.click("#match-again");
   await page.waitForSelector("#cancel:not([hidden])");
-  await resultOf(page);
+  frame = await resultOf(page);
   assert.match(await text(page, "summary"), /by spectral in/);
-  await tab.close();
+  assert.ok(await page.isHidden("#match-again"));
+  assert.equal(await frame.locator("#landmarks").innerText(), "1 pair");
+  await frame.check("#picking");
+  await pickLandmark(page, frame, 500);
+  assert.equal(await text(page, "match-again"), "Match again with 2 landmarks");
+  await frame.click("#clear-landmarks");
+  assert.equal(await text(page, "match-again"), "Match again with no landmarks");
+  await end();
 });
 
 test("a phone shows it all without scrolling sideways", async () => {
-  const { page, context: tab } = await start({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page, end } = await start({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await picture(page, "phone_start");
-  await page.click("[data-example=shuffled]");
+  await page.click("[data-example=part]");
   await resultOf(page);
   await picture(page, "phone");
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
-  await tab.close();
+  await end();
 });
-
 /** The surface of a cube, each side in n x n squares, as text. */
 function gridOfCube(n) {
   const lines = [];

@@ -75,6 +75,15 @@ TEST(Parallel, OneThreadIsOneThread) {
     });
 }
 
+TEST(Parallel, BothWorksAreDoneForAnyNumberOfThreads) {
+    for (const int n_threads : {0, 1, 2, 5}) {
+        int first = 0, second = 0;
+        with_threads(n_threads, [&] { parallel_invoke([&] { ++first; }, [&] { ++second; }); });
+        EXPECT_EQ(first, 1);
+        EXPECT_EQ(second, 1);
+    }
+}
+
 TEST(Parallel, ScratchIsPerThread) {
     std::atomic<int> made = 0;
     with_threads(2, [&] {

@@ -49,6 +49,29 @@ TEST(ProgressRange, ReportsFromTheCallingThreadAndEndsWithOne) {
     EXPECT_EQ(fractions.back(), 1);
 }
 
+// As WebAssembly without threads has it.
+TEST(ProgressRange, OneThreadReportsBetweenTheStepsOfItsWork) {
+    const auto steps = [](const ProgressRange& progress) {
+        for (int i = 1; i <= 4; ++i) {
+            progress.reach(i / 4.0);
+            std::this_thread::sleep_for(report_interval);
+        }
+        return 7;
+    };
+    std::vector<double> fractions;
+    const auto caller = std::this_thread::get_id();
+    const Progress told = [&](double fraction) {
+        EXPECT_EQ(std::this_thread::get_id(), caller);
+        fractions.push_back(fraction);
+        return true;
+    };
+    EXPECT_EQ(reported_between(told, steps), 7);
+    EXPECT_EQ(fractions, (std::vector<double>{0.25, 0.5, 0.75, 1}));
+    int n_told = 0;
+    EXPECT_THROW(reported_between([&](double) { return ++n_told < 2; }, steps), Canceled);
+    EXPECT_EQ(n_told, 2);
+}
+
 TEST(ProgressRange, StopsTheWorkWhenTheCallbackSaysSoOrThrows) {
     bool has_ended = false;
     const auto work = [&](const ProgressRange& progress) {
