@@ -30,6 +30,23 @@ if(NOT version OR version LESS 0x142)
     "${NANOFLANN_INCLUDE_DIR}/nanoflann.hpp has NANOFLANN_VERSION ${version}")
 endif()
 
+# What some standard libraries lack of C++20, decimals above all: cmake/libcxx adds it, by fast_float and {fmt}.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_FLAGS -std=c++20)
+check_cxx_source_compiles("
+#include <bit>
+#include <charconv>
+int main() {
+    double value = 0;
+    char text[32] = {};
+    std::to_chars(text, text + 32, value);
+    return std::from_chars(text, text + 32, value).ptr == text || std::bit_cast<long long>(value) != 0;
+}" COUNTERPART_HAS_WHOLE_LIBRARY)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT COUNTERPART_HAS_WHOLE_LIBRARY)
+  find_path(FAST_FLOAT_INCLUDE_DIR fast_float/fast_float.h REQUIRED)
+endif()
+
 # Implementation details: compiled in, never seen by the compiler of the library's users, only by their linker.
 # counterpart_hidden_libraries(VARIABLE INCLUDE_DIRS... LIBRARIES targets...)
 function(counterpart_hidden_libraries variable)

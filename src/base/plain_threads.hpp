@@ -5,6 +5,8 @@
 // uninstrumented TBB for a race. Slow, and simple enough to be seen right.
 #pragma once
 
+#include "platform/process.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -18,7 +20,7 @@
 namespace counterpart::base::plain_threads {
 
 /// How many threads a loop that starts on this thread may use.
-inline thread_local int allowed = static_cast<int>(std::max(2U, std::thread::hardware_concurrency()));
+inline thread_local int allowed = std::max(2, platform::n_processors());
 
 inline int n_allowed() { return allowed; }
 

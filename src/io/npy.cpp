@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/byte_order.hpp"
 #include "io/npy_bytes.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -38,7 +39,7 @@ struct Array {
 };
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::string_view reason) {
-    throw IoError(fmt::format("{}: {}", file.string(), reason));
+    throw IoError(fmt::format("{}: {}", platform::utf8_name(file), reason));
 }
 
 // The text behind "'key':" in the header, which is a Python dictionary.
