@@ -9,12 +9,8 @@ endif()
 find_package(fmt 9 REQUIRED)
 set(pictures)
 if(COUNTERPART_PICTURES)
-  find_package(embree REQUIRED CONFIG)
-  if(embree_VERSION VERSION_LESS 3.13)
-    message(FATAL_ERROR "counterpart needs Embree 3.13 or newer, this is ${embree_VERSION} (${embree_DIR})")
-  endif()
   find_package(PNG REQUIRED)
-  set(pictures embree PNG::PNG)
+  set(pictures PNG::PNG)
 endif()
 find_package(ZLIB REQUIRED)
 find_package(pugixml REQUIRED CONFIG)
@@ -28,6 +24,23 @@ string(REGEX MATCH "0x[0-9A-Fa-f]+" version "${version}")
 if(NOT version OR version LESS 0x142)
   message(FATAL_ERROR "counterpart needs nanoflann 1.4.2 or newer, "
     "${NANOFLANN_INCLUDE_DIR}/nanoflann.hpp has NANOFLANN_VERSION ${version}")
+endif()
+
+# What some standard libraries lack of C++20, decimals above all: cmake/libcxx adds it, by fast_float and {fmt}.
+include(CheckCXXSourceCompiles)
+set(CMAKE_REQUIRED_FLAGS -std=c++20)
+check_cxx_source_compiles("
+#include <bit>
+#include <charconv>
+int main() {
+    double value = 0;
+    char text[32] = {};
+    std::to_chars(text, text + 32, value);
+    return std::from_chars(text, text + 32, value).ptr == text || std::bit_cast<long long>(value) != 0;
+}" COUNTERPART_HAS_WHOLE_LIBRARY)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT COUNTERPART_HAS_WHOLE_LIBRARY)
+  find_path(FAST_FLOAT_INCLUDE_DIR fast_float/fast_float.h REQUIRED)
 endif()
 
 # Implementation details: compiled in, never seen by the compiler of the library's users, only by their linker.

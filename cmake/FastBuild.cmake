@@ -15,7 +15,7 @@ endif()
 # A wheel's module is rewritten by auditwheel: it is linked by the system's own.
 include(CheckLinkerFlag)
 if(NOT "${CMAKE_EXE_LINKER_FLAGS} ${CMAKE_CXX_FLAGS} $ENV{LDFLAGS}" MATCHES "-fuse-ld" AND NOT COUNTERPART_FUZZ AND NOT SKBUILD
-   AND NOT EMSCRIPTEN)
+   AND NOT CMAKE_CROSSCOMPILING)
   foreach(linker mold lld)
     check_linker_flag(CXX -fuse-ld=${linker} COUNTERPART_HAS_${linker})
     if(COUNTERPART_HAS_${linker})

@@ -12,11 +12,14 @@ function(counterpart_configure_target target)
     $<$<CXX_COMPILER_ID:Clang>:-Wno-overlength-strings>
     # The same bytes out on every x86-64 machine: no contraction into fused multiply-adds.
     -ffp-contract=off)
+  if(NOT COUNTERPART_HAS_WHOLE_LIBRARY)
+    target_include_directories(${target} SYSTEM BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/cmake/libcxx ${FAST_FLOAT_INCLUDE_DIR})
+  endif()
   if(EMSCRIPTEN)
-    # What the standard library of Emscripten 3.1.6 lacks.
-    target_include_directories(${target} SYSTEM BEFORE PRIVATE ${PROJECT_SOURCE_DIR}/javascript/libcxx)
-    # Linked with threads and without.
-    target_compile_options(${target} PRIVATE -pthread)
+    target_compile_options(${target} PRIVATE -pthread)  # linked with threads and without
+  endif()
+  if(WIN32)
+    target_compile_definitions(${target} PRIVATE NOMINMAX WIN32_LEAN_AND_MEAN UNICODE)
   endif()
   if(COUNTERPART_THREADS STREQUAL "plain")
     target_compile_definitions(${target} PRIVATE COUNTERPART_PLAIN_THREADS)

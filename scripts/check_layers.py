@@ -4,7 +4,9 @@
 """Checks that modules include only what the table below allows, so that data flows one way through the project.
 
 A type of another module that is declared instead of included counts as included. Public headers may include the
-standard library, Eigen and <counterpart/...> only. Rooms, the folders within a module, include each other one way."""
+standard library, Eigen and <counterpart/...> only. Rooms, the folders within a module, include each other one way. No
+file but those of src/platform includes a header of the operating system; of the library's own, the program knows the
+public ones and those of src/platform."""
 
 import graphlib
 import pathlib
@@ -14,7 +16,8 @@ import sys
 from header_names import names_in
 
 MAY_INCLUDE = {
-    "base": [],
+    "platform": [],
+    "base": ["platform"],
     "numerics": ["base"],
     "mesh": ["base", "numerics"],
     "map": ["base", "numerics", "mesh"],
@@ -26,12 +29,15 @@ MAY_INCLUDE = {
     "match": ["base", "numerics", "mesh", "map", "geodesic", "spectral", "descriptor", "frontier", "align"],
     "evaluation": ["base", "mesh", "map", "geodesic"],
     "transfer": ["base", "numerics", "mesh", "map", "align"],
-    "io": ["base", "mesh", "map", "match"],
+    "io": ["platform", "base", "mesh", "map", "match"],
     "render": ["base", "numerics", "mesh", "map", "geodesic"],
     "viewer": ["base", "numerics", "mesh", "map"],
 }
 INCLUDE = re.compile(r'^\s*#include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 STANDARD_OR_EIGEN = re.compile(r"^([a-z_0-9]+|Eigen/\w+)$")
+# A C header without a folder, or in one of the system's; <csignal> has what only POSIX gives a meaning.
+OF_SYSTEM = re.compile(r"^(csignal|\w+\.h|(sys|mach|mach-o|linux|netinet|arpa)/.*)$")
+OF_LIBRARIES = {"png.h", "zlib.h"}
 
 
 def module_of_types(root):
@@ -86,9 +92,22 @@ def circles(root):
         yield "rooms include each other in a circle: " + ", ".join(str(room) for room in error.args[1])
 
 
+def problems_of_system(root):
+    for base in ("include", "src", "apps/cli", "python/src", "javascript/src"):
+        for file in sorted((root / base).rglob("*.[ch]pp")):
+            if file.is_relative_to(root / "src" / "platform"):
+                continue
+            for quote, header in INCLUDE.findall(file.read_text()):
+                if quote == "<" and OF_SYSTEM.match(header) and header not in OF_LIBRARIES:
+                    yield f"{file.relative_to(root)}: only src/platform may include <{header}>"
+                in_program = base == "apps/cli" and quote == '"' and "/" in header
+                if in_program and not header.startswith("platform/"):
+                    yield f"{file.relative_to(root)}: the program may not include {header}"
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
-    found = [*problems(root), *circles(root)]
+    found = [*problems(root), *circles(root), *problems_of_system(root)]
     print("\n".join(found) if found else "layers: every include follows the table")
     return 1 if found else 0
 

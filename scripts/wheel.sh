@@ -48,7 +48,7 @@ add_licenses() {
   rm -rf "$folder"
   build/wheel-venv/bin/wheel unpack --dest "$folder" "$1" > /dev/null
   texts=$(echo "$folder"/*/*.dist-info/licenses)
-  for package in libeigen3-dev libnanoflann-dev libspectra-dev libfmt-dev nlohmann-json3-dev libcli11-dev libembree-dev \
+  for package in libeigen3-dev libnanoflann-dev libspectra-dev libfmt-dev nlohmann-json3-dev libcli11-dev \
     libtbb-dev libpng-dev libpugixml-dev zlib1g-dev; do
     cp "/usr/share/doc/$package/copyright" "$texts/$package.txt"
   done

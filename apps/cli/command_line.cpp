@@ -90,8 +90,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
 
 }  // namespace
 
-std::vector<std::string> words_of(int argc, char** argv) {
-    std::vector<std::string> words(argv + 1, argv + argc);
+std::vector<std::string> words_of(const std::vector<std::string>& command_line) {
+    std::vector<std::string> words(command_line.begin() + (command_line.empty() ? 0 : 1), command_line.end());
     for (std::size_t i = 0; i < words.size(); ++i)
         for (const auto& [option, value] : optional_values)
             if (words[i] == option && (i + 1 == words.size() || !starts_number(words[i + 1])))

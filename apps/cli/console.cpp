@@ -3,6 +3,7 @@
 #include "console.hpp"
 
 #include "interrupt.hpp"
+#include "platform/process.hpp"
 
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -15,8 +16,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 namespace counterpart::cli {
 namespace {
@@ -30,13 +29,6 @@ std::string time_left(double fraction, double elapsed) {
     const double seconds = elapsed * (1 - fraction) / fraction;
     if (seconds < 90) return fmt::format(", about {:.0f} s left", seconds);
     return fmt::format(", about {:.0f} min left", seconds / 60);
-}
-
-// The most memory that the program has held, bytes.
-double peak_memory() {
-    struct rusage usage = {};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);  // Linux counts in KiB
 }
 
 ReadOptions reading(const MeshInput& mesh, const CommonOptions& options) {
@@ -163,7 +155,7 @@ std::optional<std::pair<TetrahedralMesh, TetrahedralMesh>> load_solids(const Mes
 }
 
 Progress progress_bar(const std::string& label, const CommonOptions& options) {
-    if (options.quiet || isatty(STDERR_FILENO) == 0) return [](double) { return !is_interrupted(); };
+    if (options.quiet || !platform::is_terminal()) return [](double) { return !is_interrupted(); };
     return [bar = std::make_shared<Bar>(label)](double fraction) {
         bar->show(fraction);
         return !is_interrupted();
@@ -175,7 +167,7 @@ void write_report(const Json& report, const CommonOptions& options) {
     Json whole = report;
     for (const FileArgument& file : options.files)
         if (file.mesh != nullptr && file.mesh->object) whole[key_of(file.object_option)] = *file.mesh->object;
-    whole["peak_memory_bytes"] = peak_memory();
+    whole["peak_memory_bytes"] = platform::peak_memory();
     // Names in files may be in any encoding.
     write_file(whole.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", options.report);
 }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "external_command.hpp"
 
+#include "platform/process.hpp"
+
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace counterpart::cli {
 namespace {
@@ -33,16 +33,9 @@ bool is_command(const CLI::App& program, const std::string& word) {
 
 std::string run_external_command(const CLI::App& program, const std::vector<std::string>& words) {
     if (words.empty() || !is_plain(words.front()) || is_command(program, words.front())) return "";
-    const std::string name = "counterpart-" + words.front();
     std::vector<std::string> given(words);
-    given.front() = name;
-    std::vector<char*> arguments;
-    for (std::string& word : given) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    std::error_code none;
-    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none);
-    if (!none) execv((own.parent_path() / name).c_str(), arguments.data());
-    execvp(name.c_str(), arguments.data());
+    given.front() = "counterpart-" + words.front();
+    platform::replace_by_program(std::move(given));
     for (const char* const command : python_commands)
         if (words.front() == command)
             return fmt::format(

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "files.hpp"
 
+#include "platform/files.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -14,18 +16,13 @@
 #include <cstring>
 #include <map>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace counterpart::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* standard_output = "/dev/stdout";
 
 // The endings of each content; nothing: any that belongs to no other content.
 struct Endings {
@@ -90,6 +87,7 @@ void require_fitting_ending(const FileArgument& argument, const fs::path& file) 
 }
 
 bool is_regular_or_new(const fs::path& file) {
+    if (platform::is_nameless_output(file)) return false;
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
     return !fs::exists(status) || fs::is_regular_file(status);
@@ -105,44 +103,25 @@ fs::path folder_of(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-// Tried, not asked: permissions say nothing of file systems that are read-only or none to write on.
-bool can_hold_files(const fs::path& folder) {
-#ifdef O_TMPFILE  // without a name, which would be left behind if the program is killed here
-    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, S_IRUSR | S_IWUSR);
-    if (unnamed >= 0) {
-        ::close(unnamed);
-        return true;
-    }
-    const bool is_supported = errno != EOPNOTSUPP && errno != EISDIR;
-    if (is_supported) return false;
-#endif
-    std::string name = (folder / ".counterpart-XXXXXX").string();
-    const int file = ::mkstemp(name.data());
-    if (file < 0) return false;
-    ::close(file);
-    ::unlink(name.c_str());
-    return true;
-}
-
 void require_writable(const FileArgument& argument, const fs::path& file) {
     const auto refuse = [&](const std::string& reason) {
         throw WriteError(fmt::format("{} {}: {}", argument.option, file.string(), reason));
     };
+    if (platform::is_nameless_output(file)) return;
     std::error_code ignored;
-    struct stat state = {};
-    const bool exists = ::stat(file.c_str(), &state) == 0;
-    const bool is_folder = exists && S_ISDIR(state.st_mode);
+    const fs::file_status state = fs::status(file, ignored);
+    const bool exists = fs::exists(state), is_folder = fs::is_directory(state);
     if (is_folder && !fills_folder(*argument.written)) {
         if (*argument.written == Content::prefix) return;
         refuse("is a folder; name a file in it");
     }
     if (exists && !is_folder && *argument.written == Content::folder) refuse("is not a folder");
-    constexpr unsigned any_write_bit = 0222;
-    if (exists && S_ISREG(state.st_mode) && (state.st_mode & any_write_bit) == 0)
+    constexpr fs::perms any_write = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    if (fs::is_regular_file(state) && (state.permissions() & any_write) == fs::perms::none)
         refuse("is read-only");  // also to root, who could replace it
-    if (exists && ::access(file.c_str(), W_OK) != 0)
-        refuse(fmt::format("cannot be written ({})", std::strerror(errno)));
-    if (exists && !S_ISREG(state.st_mode) && !is_folder) return;
+    if (const int error = platform::error_of_writing(file); exists && error != 0)
+        refuse(fmt::format("cannot be written ({})", std::strerror(error)));
+    if (exists && !fs::is_regular_file(state) && !is_folder) return;
     fs::path folder = is_folder ? file : folder_of(file);
     if (fills_folder(*argument.written))
         while (!fs::exists(folder, ignored) && folder != folder_of(folder)) folder = folder_of(folder);
@@ -151,8 +130,8 @@ void require_writable(const FileArgument& argument, const fs::path& file) {
     if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
     // A file that is there is replaced by one made beside it, or beside what it links to.
     if (exists && !is_folder) folder = folder_of(fs::canonical(file, ignored));
-    if (!can_hold_files(folder))
-        refuse(fmt::format("the folder cannot be written ({})", std::strerror(errno)));
+    if (const int error = platform::error_of_making_files(folder); error != 0)
+        refuse(fmt::format("the folder cannot be written ({})", std::strerror(error)));
 }
 
 std::vector<fs::path*> files_of(const FileArgument& argument) {
@@ -226,12 +205,12 @@ void check_files(const FileArguments& files) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (!files[i].written || files[i].file->empty()) continue;
         fs::path& output = *files[i].file;
-        if (output == "-") output = standard_output;
+        if (output == "-") output = platform::standard_output;
         const bool is_stream = !is_regular_or_new(output) && !fs::is_directory(output);
         // A stream without an ending takes what is written as text.
         if (!is_stream || output.has_extension()) require_fitting_ending(files[i], output);
         require_writable(files[i], output);
-        if (!is_stream || output == standard_output) require_distinct(files, i, output);
+        if (!is_stream || output == platform::standard_output) require_distinct(files, i, output);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "exit_codes.hpp"
 #include "external_command.hpp"
 #include "interrupt.hpp"
+#include "platform/process.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/base/progress.hpp>
@@ -48,7 +49,8 @@ int main(int argc, char** argv) {
     counterpart::cli::add_map(program);
     counterpart::cli::add_manual(program);
     counterpart::cli::add_view(program);
-    const std::vector<std::string> words = counterpart::cli::words_of(argc, argv);
+    const std::vector<std::string> words =
+        counterpart::cli::words_of(counterpart::platform::command_line(argc, argv));
     const std::string missing = counterpart::cli::run_external_command(program, words);
     if (!missing.empty()) {
         std::fprintf(stderr, "error: %s\n", missing.c_str());

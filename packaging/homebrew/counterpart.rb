@@ -13,7 +13,6 @@ class Counterpart < Formula
   depends_on "nlohmann-json" => :build
   depends_on "spectra" => :build
   depends_on "eigen"
-  depends_on "embree"
   depends_on "fmt"
   depends_on "libpng"
   depends_on "pugixml"

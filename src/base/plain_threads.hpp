@@ -5,6 +5,8 @@
 // which takes every hand-over inside an uninstrumented TBB for a race. Simple enough to be seen right.
 #pragma once
 
+#include "platform/process.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -35,8 +37,7 @@ inline bool can_start() {
 }
 
 /// How many threads a loop that starts on this thread may use.
-inline thread_local int allowed =
-    can_start() ? static_cast<int>(std::max(2U, std::thread::hardware_concurrency())) : 1;
+inline thread_local int allowed = can_start() ? std::max(2, platform::n_processors()) : 1;
 
 inline int n_allowed() { return allowed; }
 

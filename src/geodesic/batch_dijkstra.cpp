@@ -50,7 +50,7 @@ template <int lanes>
 void pass_on_4(const double* from, const Links& links, double* distance, double* lowered) {
     pass_on<4>(from, links, distance, lowered);
 }
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 [[gnu::target("avx2")]] void pass_on_8(const double* from, const Links& links, double* distance,
                                        double* lowered) {
     pass_on<8>(from, links, distance, lowered);

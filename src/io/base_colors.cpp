@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/gltf_primitives.hpp"
 #include "io/mtl.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -110,10 +111,11 @@ BaseColors read_base_colors(const AttributedMesh& content, const std::filesystem
         if (const GltfDocument* document = gltf_of(content))
             of_part = images_of_parts(*document, colors);
         else if (lower_extension(file) == ".obj")
-            of_part = images_of_parts(content, {file.string(), file.parent_path(), options, 0, {}, {}}, file,
-                                      colors);
+            of_part = images_of_parts(
+                content, {platform::utf8_name(file), file.parent_path(), options, 0, {}, {}}, file, colors);
     } catch (const GltfJson::exception& error) {
-        throw IoError(fmt::format("{}: its materials are not glTF ({})", file.string(), error.what()));
+        throw IoError(
+            fmt::format("{}: its materials are not glTF ({})", platform::utf8_name(file), error.what()));
     }
     if (colors.images.empty()) return colors;
     for (Index t = 0; t < content.mesh.n_triangles(); ++t) {

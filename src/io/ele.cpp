@@ -5,6 +5,7 @@
 // it. Both count from the number of the first vertex, 0 or 1. A .poly of Triangle without .ele is outlines,
 // which become polygons.
 #include "io/cells.hpp"
+#include "platform/files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -134,7 +135,7 @@ Cells parse_outlines(std::string_view poly, std::string_view nodes, const std::s
     TextCursor text(poly, name);
     std::int64_t base = read_nodes(text, cells);
     if (cells.n_vertices() == 0) {
-        TextCursor elsewhere(nodes, std::filesystem::path(name).replace_extension(".node").string());
+        TextCursor elsewhere(nodes, platform::utf8_name(platform::path_of(name).replace_extension(".node")));
         base = read_nodes(elsewhere, cells);
     }
     for (std::size_t z = 2; z < cells.coordinates.size(); z += 3)

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "platform/files.hpp"
+
 #include <counterpart/io/file.hpp>
 
 #include <algorithm>
@@ -7,7 +9,7 @@
 namespace counterpart {
 
 std::string lower_extension(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
+    std::string extension = platform::utf8_name(file.extension());
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return extension;

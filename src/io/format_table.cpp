@@ -4,6 +4,7 @@
 
 #include "io/chosen_object.hpp"
 #include "io/formats.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/io/gltf.hpp>
 
@@ -18,12 +19,12 @@ using Path = std::filesystem::path;
 // Of formats whose readers and writers know only the bytes of one file.
 template <auto read>
 auto from_bytes(const Path& file, const ReadOptions&) {
-    return read(read_whole_file(file), file.string());
+    return read(read_whole_file(file), platform::utf8_name(file));
 }
 
 template <auto read>
 Cells cells_from_bytes(const Path& file) {
-    return read(read_whole_file(file), file.string());
+    return read(read_whole_file(file), platform::utf8_name(file));
 }
 
 template <typename Content, std::string (*bytes)(Content)>
@@ -51,7 +52,7 @@ AttributedMeshFile object_from_bytes(const Path& file, const ReadOptions& option
 }
 
 AttributedMeshFile read_stl_mesh(const Path& file, const ReadOptions& options) {
-    return read_stl(read_whole_file(file), file.string(), options);
+    return read_stl(read_whole_file(file), platform::utf8_name(file), options);
 }
 
 // A mesh through a writer of content.

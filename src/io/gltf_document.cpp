@@ -3,6 +3,7 @@
 #include "io/gltf_document.hpp"
 
 #include "io/byte_order.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -203,7 +204,7 @@ void GltfBudget::take(std::int64_t rows, std::int64_t columns) {
 
 GltfDocument parse_gltf(std::string_view bytes, const std::filesystem::path& file,
                         const ReadOptions& options) {
-    GltfDocument document{file.string(), file.parent_path(), options, bytes.size(), {}, {}};
+    GltfDocument document{platform::utf8_name(file), file.parent_path(), options, bytes.size(), {}, {}};
     Glb glb;
     if (bytes.starts_with(glb_magic))
         glb = split_glb(document, bytes);

@@ -4,6 +4,7 @@
 // A glTF document as bytes, for whoever keeps a mesh elsewhere than in a file: CBOR (RFC 8949) of its JSON
 // and buffers.
 #include "io/gltf_document.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/gltf.hpp>
@@ -14,7 +15,7 @@ using namespace io;
 
 std::string io::GltfContent::to_bytes() const {
     GltfJson kept = {{"name", gltf_.name},
-                     {"folder", gltf_.folder.string()},
+                     {"folder", platform::utf8_name(gltf_.folder)},
                      {"allow_external", gltf_.options.allow_external},
                      {"file_size", gltf_.file_size},
                      {"json", gltf_.json},
@@ -31,7 +32,7 @@ std::shared_ptr<const Document> document_from_bytes(std::string_view bytes) {
         GltfJson kept = GltfJson::from_cbor(bytes.begin(), bytes.end());
         GltfDocument document;
         document.name = kept.at("name").get<std::string>();
-        document.folder = kept.at("folder").get<std::string>();
+        document.folder = platform::path_of(kept.at("folder").get<std::string>());
         document.options.allow_external = kept.at("allow_external").get<bool>();
         document.file_size = kept.at("file_size").get<std::size_t>();
         document.json = std::move(kept.at("json"));

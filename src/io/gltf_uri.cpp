@@ -6,6 +6,7 @@
 // others.
 #include "base/base64.hpp"
 #include "io/gltf_document.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/io/file.hpp>
 
@@ -74,8 +75,9 @@ GltfUri parse_uri(const GltfDocument& document, const std::string& uri, const st
         if (!document.options.allow_external) refuse("which is no file beside this one");
         return {GltfUri::Kind::elsewhere, {}};
     }
-    const std::string path = percent_decoded(uri);
-    if (path.find('\0') != path.npos) document.fail(fmt::format("{} is '{}', which is no file", what, shown));
+    const std::string name = percent_decoded(uri);
+    if (name.find('\0') != name.npos) document.fail(fmt::format("{} is '{}', which is no file", what, shown));
+    const fs::path path = platform::path_of(name);
     if (!document.options.allow_external && !lies_below(path, document.folder))
         refuse("which leads out of the folder");
     return {GltfUri::Kind::file, document.folder / path};
@@ -89,7 +91,8 @@ std::string load_uri(const GltfDocument& document, const std::string& uri, const
         case GltfUri::Kind::file: {
             std::error_code ignored;
             if (!fs::is_regular_file(parsed.file, ignored))
-                document.fail(fmt::format("{} is missing: there is no file {}", what, parsed.file.string()));
+                document.fail(fmt::format("{} is missing: there is no file {}", what,
+                                          platform::utf8_name(parsed.file)));
             return read_whole_file(parsed.file);
         }
         case GltfUri::Kind::data: {

@@ -6,6 +6,7 @@
 #include "io/gltf_morph_weights.hpp"
 #include "io/gltf_split.hpp"
 #include "io/gltf_store.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -182,9 +183,10 @@ void write_gltf(const AttributedMesh& content, const std::filesystem::path& file
     try {
         write_file(gltf_bytes(content, lower_extension(file) != ".gltf", frames_per_second), file);
     } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: not written: {}", file.string(), error.what()));
+        throw IoError(fmt::format("{}: not written: {}", platform::utf8_name(file), error.what()));
     } catch (const GltfJson::exception& error) {
-        throw IoError(fmt::format("{}: not written: the JSON of {} is not glTF ({})", file.string(),
+        throw IoError(fmt::format("{}: not written: the JSON of {} is not glTF ({})",
+                                  platform::utf8_name(file),
                                   gltf_of(content) != nullptr ? gltf_of(content)->name : "it", error.what()));
     }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/landmark_bytes.hpp"
 #include "io/text_cursor.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -54,7 +55,7 @@ std::vector<std::pair<Index, Index>> io::parse_landmarks(std::string_view bytes,
 
 std::vector<std::pair<Index, Index>> read_landmarks(const std::filesystem::path& file, MeshView source,
                                                     MeshView target) {
-    return io::parse_landmarks(read_whole_file(file), file.string(), source, target);
+    return io::parse_landmarks(read_whole_file(file), platform::utf8_name(file), source, target);
 }
 
 }  // namespace counterpart

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/landmark_formats.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -34,7 +35,7 @@ constexpr std::array<LandmarkFormat, 5> landmark_formats = {
      {".tps", nullptr, tps_bytes, false, false}}};
 
 const LandmarkFormat& landmark_format_of(const std::filesystem::path& file) {
-    std::string name = file.filename().string();
+    std::string name = platform::utf8_name(file.filename());
     std::transform(name.begin(), name.end(), name.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     for (const LandmarkFormat& format : landmark_formats)
@@ -42,7 +43,7 @@ const LandmarkFormat& landmark_format_of(const std::filesystem::path& file) {
     throw IoError(
         fmt::format("{}: the name of landmarks must end in .mrk.json, .fcsv, .json, .csv or, to be "
                     "written, .tps, which tells the format",
-                    file.string()));
+                    platform::utf8_name(file)));
 }
 
 void turn(LandmarkPoints& points, Anatomical axes) {
@@ -71,15 +72,17 @@ std::string to_string(Anatomical axes) { return axes == Anatomical::lps ? "LPS" 
 
 LandmarkPoints read_landmark_points(const std::filesystem::path& file, std::optional<Anatomical> axes) {
     const LandmarkFormat& format = landmark_format_of(file);
-    if (format.parse == nullptr) throw IoError(fmt::format("{}: TPS is written, not read", file.string()));
-    LandmarkPoints points = format.parse(read_whole_file(file), file.string());
-    if (points.landmarks.empty()) throw IoError(fmt::format("{}: there are no landmarks", file.string()));
+    if (format.parse == nullptr)
+        throw IoError(fmt::format("{}: TPS is written, not read", platform::utf8_name(file)));
+    LandmarkPoints points = format.parse(read_whole_file(file), platform::utf8_name(file));
+    if (points.landmarks.empty())
+        throw IoError(fmt::format("{}: there are no landmarks", platform::utf8_name(file)));
     if (!axes) return points;
     if (!points.axes)
         throw IoError(
             fmt::format("{}: the file does not say whether its points are LPS or RAS, so they cannot "
                         "be turned to {}",
-                        file.string(), to_string(*axes)));
+                        platform::utf8_name(file), to_string(*axes)));
     turn(points, *axes);
     return points;
 }
@@ -87,7 +90,7 @@ LandmarkPoints read_landmark_points(const std::filesystem::path& file, std::opti
 void require_writable(const LandmarkPoints& points, const std::filesystem::path& file) {
     const LandmarkFormat& format = landmark_format_of(file);
     const auto require = [&](bool holds, const std::string& reason) {
-        if (!holds) throw IoError(fmt::format("{}: not written: {}", file.string(), reason));
+        if (!holds) throw IoError(fmt::format("{}: not written: {}", platform::utf8_name(file), reason));
     };
     require(!format.says_axes || points.axes, "the format says LPS or RAS, and which it is was not given");
     for (const Landmark& landmark : points.landmarks) {

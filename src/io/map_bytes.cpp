@@ -5,6 +5,7 @@
 #include "io/decimal.hpp"
 #include "io/npy_bytes.hpp"
 #include "io/text_cursor.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -40,11 +41,11 @@ VertexMap io::parse_vertex_map(std::string_view bytes, const std::filesystem::pa
         map = parse_npy_indices(bytes, file);
         for (std::size_t v = 0; v < map.size(); ++v) {
             map[v] = image_of(map[v], base, [&](const std::string& reason) {
-                throw IoError(fmt::format("{}: entry {}: {}", file.string(), v, reason));
+                throw IoError(fmt::format("{}: entry {}: {}", platform::utf8_name(file), v, reason));
             });
         }
     } else {
-        TextCursor text(bytes, file.string());
+        TextCursor text(bytes, platform::utf8_name(file));
         while (text.next_content()) {
             const std::int64_t number = text.integer("target vertex");
             map.push_back(image_of(number, base, [&](const std::string& reason) { text.fail(reason); }));
@@ -58,7 +59,7 @@ VertexMap io::parse_vertex_map(std::string_view bytes, const std::filesystem::pa
     try {
         return {std::move(map), target_size};
     } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+        throw IoError(fmt::format("{}: {}", platform::utf8_name(file), error.what()));
     }
 }
 

@@ -4,6 +4,7 @@
 #include "io/corner_rows.hpp"
 #include "io/format_table.hpp"
 #include "io/left_out.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -27,8 +28,8 @@ std::vector<std::string> extensions_where(const Condition& holds) {
 
 [[noreturn]] void fail_on_extension(const std::filesystem::path& file, const char* what,
                                     const std::vector<std::string>& extensions) {
-    throw IoError(fmt::format("{}: the name of {} must end in {}, which tells the format", file.string(),
-                              what, fmt::join(extensions, ", ")));
+    throw IoError(fmt::format("{}: the name of {} must end in {}, which tells the format",
+                              platform::utf8_name(file), what, fmt::join(extensions, ", ")));
 }
 
 // What `work` gives; InvalidInput becomes IoError with the file's name and `prefix`.
@@ -37,7 +38,7 @@ auto naming(const std::filesystem::path& file, const char* prefix, const Work& w
     try {
         return work();
     } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}{}", file.string(), prefix, error.what()));
+        throw IoError(fmt::format("{}: {}{}", platform::utf8_name(file), prefix, error.what()));
     }
 }
 
@@ -69,11 +70,11 @@ AttributedMeshFile read_content(const std::filesystem::path& file, const ReadOpt
     if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
     return naming(file, "", [&] {
         if (options.object && !format->has_objects) require_single_object(*options.object);
-        AttributedMeshFile result = attributes == Attributes::all && format->read_attributed != nullptr
-                                        ? format->read_attributed(file, options)
-                                    : format->read != nullptr
-                                        ? format->read(file, options)
-                                        : content_of_cells(format->read_cells(file), file.string());
+        AttributedMeshFile result =
+            attributes == Attributes::all && format->read_attributed != nullptr
+                ? format->read_attributed(file, options)
+            : format->read != nullptr ? format->read(file, options)
+                                      : content_of_cells(format->read_cells(file), platform::utf8_name(file));
         leave_out(result.content, result.notices, options);
         require_valid(result.content.mesh);
         return result;
@@ -113,7 +114,7 @@ std::optional<TetrahedralMeshFile> read_tetrahedral_mesh(const std::filesystem::
     return naming(file, "", [&]() -> std::optional<TetrahedralMeshFile> {
         const Cells cells = format->read_cells(file);
         if (cells.tetrahedra.empty()) return std::nullopt;
-        return solid_of_cells(cells, file.string());
+        return solid_of_cells(cells, platform::utf8_name(file));
     });
 }
 

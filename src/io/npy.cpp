@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/byte_order.hpp"
 #include "io/npy_bytes.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -37,14 +38,14 @@ struct Array {
     }
 };
 
-[[noreturn]] void refuse(const std::filesystem::path& file, std::string_view reason) {
-    throw IoError(fmt::format("{}: {}", file.string(), reason));
+[[noreturn]] void refuse_array(const std::filesystem::path& file, std::string_view reason) {
+    throw IoError(fmt::format("{}: {}", platform::utf8_name(file), reason));
 }
 
 // The text behind "'key':" in the header, which is a Python dictionary.
 std::string_view entry(std::string_view header, std::string_view key, const std::filesystem::path& file) {
     const std::size_t at = header.find(fmt::format("'{}':", key));
-    if (at == header.npos) refuse(file, fmt::format("the .npy header has no '{}'", key));
+    if (at == header.npos) refuse_array(file, fmt::format("the .npy header has no '{}'", key));
     const std::string_view rest = header.substr(at + key.size() + 3);
     return rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
 }
@@ -53,7 +54,7 @@ void parse_type(std::string_view descr, Array& array, const std::filesystem::pat
     const std::string_view type = descr.substr(0, 5);  // quote, byte order, kind, width, quote
     if (type.size() < 5 || (type[1] != '<' && type[1] != '>') || (type[2] != 'f' && type[2] != 'i') ||
         (type[3] != '4' && type[3] != '8') || type[4] != type[0])
-        refuse(file, "the array must be of type float32, float64, int32 or int64");
+        refuse_array(file, "the array must be of type float32, float64, int32 or int64");
     array.order = type[1] == '<' ? std::endian::little : std::endian::big;
     array.kind = type[2];
     array.width = type[3] == '4' ? 4 : 8;
@@ -62,40 +63,42 @@ void parse_type(std::string_view descr, Array& array, const std::filesystem::pat
 // "(3, 4)" or "(3,)". The product is checked against the bytes that are there.
 void parse_shape(std::string_view text, Array& array, const std::filesystem::path& file) {
     const std::size_t close = text.find(')');
-    if (close == text.npos || text.front() != '(') refuse(file, "the .npy header has no shape");
+    if (close == text.npos || text.front() != '(') refuse_array(file, "the .npy header has no shape");
     text = text.substr(1, close - 1);
     std::size_t count = 1;
     for (std::size_t at = 0; (at = text.find_first_not_of(" ,", at)) < text.size();) {
         std::size_t extent = 0;
         const auto [stop, error] = std::from_chars(text.data() + at, text.data() + text.size(), extent);
-        if (error != std::errc()) refuse(file, "the .npy header has no shape");
+        if (error != std::errc()) refuse_array(file, "the .npy header has no shape");
         at = static_cast<std::size_t>(stop - text.data());
         array.shape.push_back(extent);
         // An extent of zero may come with any other, within what a matrix can count.
         if (extent > static_cast<std::size_t>(std::numeric_limits<Eigen::Index>::max()))
-            refuse(file, "the array's shape is out of range");
+            refuse_array(file, "the array's shape is out of range");
         if (extent > 0 && count > std::numeric_limits<std::size_t>::max() / extent / array.width)
-            refuse(file, "the array's shape is out of range");
+            refuse_array(file, "the array's shape is out of range");
         count *= extent;
     }
     if (array.shape.empty() || array.shape.size() > 2)
-        refuse(file, fmt::format("the array must have one or two dimensions, not {}", array.shape.size()));
+        refuse_array(file,
+                     fmt::format("the array must have one or two dimensions, not {}", array.shape.size()));
     if (array.data.size() != count * array.width) {
-        refuse(file,
-               fmt::format("the header says {} numbers of {} bytes, but {} bytes follow: the file is damaged",
-                           count, array.width, array.data.size()));
+        refuse_array(
+            file,
+            fmt::format("the header says {} numbers of {} bytes, but {} bytes follow: the file is damaged",
+                        count, array.width, array.data.size()));
     }
 }
 
 // `bytes` must outlive the array.
 Array parse(std::string_view bytes, const std::filesystem::path& file) {
-    if (bytes.size() < 12 || !bytes.starts_with(magic)) refuse(file, "not a NumPy .npy file");
+    if (bytes.size() < 12 || !bytes.starts_with(magic)) refuse_array(file, "not a NumPy .npy file");
     const char major = bytes[magic.size()];
-    if (major < 1 || major > 3) refuse(file, "unknown version of the .npy format");
+    if (major < 1 || major > 3) refuse_array(file, "unknown version of the .npy format");
     const std::size_t start = major == 1 ? 10 : 12;
     const std::size_t length = major == 1 ? load_number<std::uint16_t>(bytes.data() + 8)
                                           : load_number<std::uint32_t>(bytes.data() + 8);
-    if (length > bytes.size() - start) refuse(file, "the file ends within its header");
+    if (length > bytes.size() - start) refuse_array(file, "the file ends within its header");
     const std::string_view header = bytes.substr(start, length);
     Array array;
     array.data = bytes.substr(start + length);
@@ -180,14 +183,14 @@ Matrix read_npy(const std::filesystem::path& file) { return parse_npy(read_whole
 std::vector<Index> io::parse_npy_indices(std::string_view bytes, const std::filesystem::path& file) {
     const Array array = parse(bytes, file);
     if (array.kind != 'i' || array.shape.size() != 1)
-        refuse(file, "the array must be one-dimensional, of type int32 or int64");
+        refuse_array(file, "the array must be one-dimensional, of type int32 or int64");
     std::vector<Index> numbers(array.rows());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const char* at = array.at(i, 0);
         const std::int64_t number = array.width == 4 ? load_number<std::int32_t>(at, array.order)
                                                      : load_number<std::int64_t>(at, array.order);
         if (number != static_cast<Index>(number))
-            refuse(file, fmt::format("entry {} is out of range: {}", i, number));
+            refuse_array(file, fmt::format("entry {} is out of range: {}", i, number));
         numbers[i] = static_cast<Index>(number);
     }
     return numbers;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -17,10 +18,11 @@ namespace counterpart {
 std::string read_whole_file(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
-        throw IoError(fmt::format("{}: is a folder, not a file", file.string()));
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"),
-                                                                 &std::fclose);
-    if (!stream) throw IoError(fmt::format("{}: cannot be opened ({})", file.string(), std::strerror(errno)));
+        throw IoError(fmt::format("{}: is a folder, not a file", platform::utf8_name(file)));
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(platform::open_to_read(file), &std::fclose);
+    if (!stream)
+        throw IoError(
+            fmt::format("{}: cannot be opened ({})", platform::utf8_name(file), std::strerror(errno)));
     // The size is only a hint: pipes have none.
     const std::uintmax_t size = std::filesystem::file_size(file, ignored);
     std::string bytes;
@@ -29,7 +31,8 @@ std::string read_whole_file(const std::filesystem::path& file) {
     while (const std::size_t count = std::fread(block.data(), 1, block.size(), stream.get()))
         bytes.append(block.data(), count);
     if (std::ferror(stream.get()) != 0)
-        throw IoError(fmt::format("{}: could not be read ({})", file.string(), std::strerror(errno)));
+        throw IoError(
+            fmt::format("{}: could not be read ({})", platform::utf8_name(file), std::strerror(errno)));
     return bytes;
 }
 

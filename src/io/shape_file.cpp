@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/hash_mixing.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -61,7 +62,7 @@ SpectralShape read_spectral_shape(const std::filesystem::path& file) {
     try {
         return SpectralShape::from_bytes(bytes);
     } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+        throw IoError(fmt::format("{}: {}", platform::utf8_name(file), error.what()));
     }
 }
 
@@ -74,8 +75,9 @@ CachedShape cached_spectral_shape(const std::filesystem::path& folder, MeshView 
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure || !std::filesystem::is_directory(folder))
-        throw WriteError(fmt::format("{}: cannot be made a folder for prepared shapes{}{}", folder.string(),
-                                     failure ? ": " : "", failure ? failure.message() : ""));
+        throw WriteError(fmt::format("{}: cannot be made a folder for prepared shapes{}{}",
+                                     platform::utf8_name(folder), failure ? ": " : "",
+                                     failure ? failure.message() : ""));
     const std::string key = key_of(mesh, options);
     const std::filesystem::path file = folder / fmt::format("{:016x}.shape", hash_of(key));
     if (std::optional<SpectralShape> kept = kept_shape(file, key)) {

@@ -4,6 +4,7 @@
 #include "io/map_bytes.hpp"
 #include "io/npy_bytes.hpp"
 #include "io/text_cursor.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
@@ -39,19 +40,19 @@ SurfaceMap from_npy(std::string_view bytes, const std::filesystem::path& file) {
     const Matrix rows = parse_npy(bytes, file);
     if (rows.cols() != 4)
         throw IoError(fmt::format("{}: a sub-vertex map has 4 columns (triangle, three weights), not {}",
-                                  file.string(), rows.cols()));
+                                  platform::utf8_name(file), rows.cols()));
     SurfaceMap map;
     for (Eigen::Index v = 0; v < rows.rows(); ++v) {
         map.image.push_back(
             point_of(rows(v, 0), rows.row(v).tail<3>().transpose(), [&](const std::string& reason) {
-                throw IoError(fmt::format("{}: row {}: {}", file.string(), v, reason));
+                throw IoError(fmt::format("{}: row {}: {}", platform::utf8_name(file), v, reason));
             }));
     }
     return map;
 }
 
 SurfaceMap from_text(std::string_view bytes, const std::filesystem::path& file) {
-    TextCursor text(bytes, file.string());
+    TextCursor text(bytes, platform::utf8_name(file));
     SurfaceMap map;
     while (text.next_content()) {
         const double triangle = text.number("triangle");
@@ -68,7 +69,7 @@ SurfaceMap from_text(std::string_view bytes, const std::filesystem::path& file) 
 // One number on the first line that holds anything, or one column.
 bool holds_vertex_map(std::string_view bytes, const std::filesystem::path& file) {
     if (is_npy(file)) return parse_npy(bytes, file).cols() == 1;
-    TextCursor text(bytes, file.string());
+    TextCursor text(bytes, platform::utf8_name(file));
     if (!text.next_content()) return true;
     text.word();
     return text.at_line_end();

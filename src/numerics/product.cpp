@@ -84,7 +84,7 @@ struct Machine {
     MultiplyPanel multiply;
 };
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 [[gnu::target("avx2")]] void multiply_panel_8(const Panels& left, const Panels& right, Index q,
                                               MatrixF& result) {
     multiply_panel<8>(left, right, q, result);

@@ -140,7 +140,7 @@ struct Machine {
     SearchBlock search;
 };
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 [[gnu::target("avx2")]] void search_block_8(const Panels& x, const Panels& y, Index first, Index last,
                                             Best& rows, Best& columns) {
     search_block<8>(x, y, first, last, rows, columns);

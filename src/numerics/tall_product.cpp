@@ -126,7 +126,7 @@ void combinations_4(const TallMatrix& a, const Groups& b, Eigen::Index g, Eigen:
     combinations<4>(a, b, g, first, n, result);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 [[gnu::target("avx2")]] void dot_products_8(const TallMatrix& a, const Groups& b, Eigen::Index g,
                                             Eigen::Index first, Eigen::Index last, double* result) {
     dot_products<8>(a, b, g, first, last, result);

@@ -3,154 +3,74 @@
 #include "render/tracer.hpp"
 
 #include "mesh/surface_box.hpp"
+#include "render/ray_tree.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 namespace counterpart::render {
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-void intersect(RTCScene scene, RTCRayHit& ray) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(scene, &ray, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene, &context, &ray);
-#endif
-}
+Eigen::Vector3f point(const Eigen::RowVector3d& at) { return at.transpose().cast<float>(); }
 
-void occlude(RTCScene scene, RTCRay& ray) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(scene, &ray, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene, &context, &ray);
-#endif
-}
-
-RTCRay make_ray(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float near, float far) {
-    RTCRay ray{};
-    ray.org_x = origin.x(), ray.org_y = origin.y(), ray.org_z = origin.z();
-    ray.dir_x = direction.x(), ray.dir_y = direction.y(), ray.dir_z = direction.z();
-    ray.tnear = near, ray.tfar = far;
-    ray.mask = 0xffffffff;
-    return ray;
-}
-
-template <class T>
-T* buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, std::size_t size, std::size_t count) {
-    return static_cast<T*>(rtcSetNewGeometryBuffer(geometry, type, 0, format, size, count));
-}
-
-struct Scene3 {
-    RTCScene scene = nullptr;
-    explicit Scene3(RTCDevice device) : scene(rtcNewScene(device)) {
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+// Surfaces, dots and, where they are asked for, tubes.
+std::vector<Shape> shapes_of(const Scene& scene, bool with_tubes) {
+    std::vector<Shape> shapes;
+    for (const Surface& surface : scene.surfaces) {
+        const MeshView mesh = surface.mesh;
+        const auto corner = [&](Index t, int k) { return point(mesh.vertices.row(mesh.triangles(t, k))); };
+        for (Index t = 0; t < mesh.n_triangles(); ++t)
+            shapes.push_back({corner(t, 0), corner(t, 1), corner(t, 2)});
     }
-    ~Scene3() { rtcReleaseScene(scene); }
-    Scene3(const Scene3&) = delete;
-    Scene3& operator=(const Scene3&) = delete;
-};
-
-struct Device {
-    // One thread builds the tree, so that it is the same each time.
-    RTCDevice device = rtcNewDevice("threads=1");
-    Device() {
-        if (device == nullptr) throw std::bad_alloc();
+    for (const Dot& dot : scene.dots) {
+        shapes.push_back({point(dot.center), point(dot.center), point(dot.center)});
+        shapes.back().radius = static_cast<float>(dot.radius);
     }
-    ~Device() { rtcReleaseDevice(device); }
-    Device(const Device&) = delete;
-    Device& operator=(const Device&) = delete;
-};
+    if (!with_tubes) return shapes;
+    for (const Tube& tube : scene.tubes) {
+        shapes.push_back({point(tube.from), point(tube.to), point(tube.to)});
+        shapes.back().radius = static_cast<float>(tube.radius);
+    }
+    return shapes;
+}
 
 }  // namespace
 
 struct Tracer::Data {
     const Scene& scene;
-    Device device;
-    Scene3 visible{device.device}, solid{device.device};  // solid: what casts shadows
+    RayTree visible, solid;            // solid: what casts shadows, where that is another
+    std::vector<std::uint32_t> first;  // shape of each surface, of the dots, of the tubes
     std::vector<Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>> normals;
     float top = 0, size = 0;
 
-    explicit Data(const Scene& what) : scene(what) {
-        std::uint32_t id = 0;
-        for (const Surface& surface : scene.surfaces) add(make_mesh(surface), id++, true);
-        if (!scene.dots.empty()) add(make_dots(), id, true);
-        if (!scene.tubes.empty()) add(make_tubes(), id + 1, false);
-        rtcCommitScene(visible.scene);
-        rtcCommitScene(solid.scene);
-        RTCBounds box;
-        rtcGetSceneBounds(visible.scene, &box);
-        top = box.upper_z + 1;
-        if (scene.surfaces.empty()) size = std::max(box.upper_x - box.lower_x, box.upper_y - box.lower_y);
-    }
-
-    void add(RTCGeometry geometry, std::uint32_t id, bool casts_shadow) {
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(visible.scene, geometry, id);
-        if (casts_shadow) rtcAttachGeometryByID(solid.scene, geometry, id);
-        rtcReleaseGeometry(geometry);
-    }
-
-    RTCGeometry make_mesh(const Surface& surface) {
-        MeshView mesh = surface.mesh;
-        RTCGeometry geometry = rtcNewGeometry(device.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                       static_cast<std::size_t>(mesh.n_vertices()));
-        for (Eigen::Index i = 0; i < mesh.vertices.size(); ++i)
-            vertices[i] = static_cast<float>(mesh.vertices.data()[i]);
-        auto* triangles = buffer<Index>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3 * sizeof(Index),
-                                        static_cast<std::size_t>(mesh.n_triangles()));
-        std::copy_n(mesh.triangles.data(), mesh.triangles.size(), triangles);
-        normals.push_back(vertex_normals(mesh).cast<float>());
-        size = std::max(size, static_cast<float>(counterpart::mesh::surface_box(mesh).sizes().maxCoeff()));
-        return geometry;
-    }
-
-    RTCGeometry make_dots() {
-        RTCGeometry geometry = rtcNewGeometry(device.device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-        auto* spheres = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4 * sizeof(float),
-                                      scene.dots.size());
-        for (const Dot& dot : scene.dots) spheres = put(spheres, dot.center, dot.radius);
-        return geometry;
-    }
-
-    RTCGeometry make_tubes() {
-        RTCGeometry geometry = rtcNewGeometry(device.device, RTC_GEOMETRY_TYPE_ROUND_LINEAR_CURVE);
-        auto* ends = buffer<float>(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT4, 4 * sizeof(float),
-                                   2 * scene.tubes.size());
-        auto* first = buffer<std::uint32_t>(geometry, RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT,
-                                            sizeof(std::uint32_t), scene.tubes.size());
-        for (std::size_t i = 0; i < scene.tubes.size(); ++i) {
-            const Tube& tube = scene.tubes[i];
-            ends = put(put(ends, tube.from, tube.radius), tube.to, tube.radius);
-            first[i] = static_cast<std::uint32_t>(2 * i);
+    explicit Data(const Scene& what)
+        : scene(what),
+          visible(shapes_of(what, true)),
+          solid(what.tubes.empty() ? std::vector<Shape>() : shapes_of(what, false)) {
+        first.push_back(0);
+        for (const Surface& surface : scene.surfaces) {
+            const MeshView mesh = surface.mesh;
+            first.push_back(first.back() + static_cast<std::uint32_t>(mesh.n_triangles()));
+            normals.push_back(vertex_normals(mesh).cast<float>());
+            size =
+                std::max(size, static_cast<float>(counterpart::mesh::surface_box(mesh).sizes().maxCoeff()));
         }
-        return geometry;
+        first.push_back(first.back() + static_cast<std::uint32_t>(scene.dots.size()));
+        const Eigen::AlignedBox3f& box = visible.box();
+        if (box.isEmpty()) return;
+        top = box.max().z() + 1;
+        if (scene.surfaces.empty()) size = box.sizes().head<2>().maxCoeff();
     }
 
-    static float* put(float* at, const Eigen::RowVector3d& center, double radius) {
-        for (int c = 0; c < 3; ++c) *at++ = static_cast<float>(center[c]);
-        *at++ = static_cast<float>(radius);
-        return at;
-    }
-
-    Eigen::Vector3f smooth_normal(const RTCHit& hit, const Eigen::Vector3f& flat) const {
-        if (hit.geomID >= normals.size()) return flat;
-        const auto corners = scene.surfaces[hit.geomID].mesh.triangles.row(hit.primID);
-        const auto& normal = normals[hit.geomID];
+    Eigen::Vector3f smooth_normal(const Hit& hit, const Eigen::Vector3f& flat) const {
+        if (hit.object >= normals.size()) return flat;
+        const auto corners = scene.surfaces[hit.object].mesh.triangles.row(hit.primitive);
+        const auto& normal = normals[hit.object];
         const Eigen::Vector3f smooth = (1 - hit.u - hit.v) * normal.row(corners[0]) +
                                        hit.u * normal.row(corners[1]) + hit.v * normal.row(corners[2]);
         const float length = smooth.norm();
@@ -165,18 +85,18 @@ Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 Tracer::Hit Tracer::look(double x, double y) const {
     const Eigen::Vector3f origin(static_cast<float>(x), static_cast<float>(y), data_->top);
-    RTCRayHit ray{make_ray(origin, -Eigen::Vector3f::UnitZ(), 0, infinity), {}};
-    ray.hit.geomID = ray.hit.primID = RTC_INVALID_GEOMETRY_ID;
-    intersect(data_->visible.scene, ray);
+    const auto met = data_->visible.first({origin, -Eigen::Vector3f::UnitZ(), 0, infinity});
     Hit hit;
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
-    hit.object = ray.hit.geomID, hit.primitive = ray.hit.primID;
-    hit.u = ray.hit.u, hit.v = ray.hit.v;
-    hit.position = origin - Eigen::Vector3f(0, 0, ray.ray.tfar);
-    Eigen::Vector3f flat = Eigen::Vector3f(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z).normalized();
-    hit.normal = data_->smooth_normal(ray.hit, flat);
+    if (!met) return hit;
+    const auto after = std::upper_bound(data_->first.begin(), data_->first.end(), met->shape);
+    hit.object = static_cast<std::uint32_t>(after - data_->first.begin() - 1);
+    hit.primitive = met->shape - *(after - 1);
+    hit.u = met->u, hit.v = met->v;
+    hit.position = origin - Eigen::Vector3f(0, 0, met->t);
+    Eigen::Vector3f flat = met->normal.normalized();
+    hit.normal = data_->smooth_normal(hit, flat);
     if (flat.z() < 0) {
-        hit.inside = ray.hit.geomID < data_->normals.size();
+        hit.inside = hit.object < data_->normals.size();
         flat = -flat, hit.normal = -hit.normal;
     }
     // Near the silhouette interpolation can turn the normal away from the viewer.
@@ -187,9 +107,8 @@ Tracer::Hit Tracer::look(double x, double y) const {
 
 bool Tracer::blocked(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, float near,
                      float far) const {
-    RTCRay ray = make_ray(origin, direction, near, far);
-    occlude(data_->solid.scene, ray);
-    return ray.tfar < 0;
+    const RayTree& tree = data_->scene.tubes.empty() ? data_->visible : data_->solid;
+    return tree.meets_any({origin, direction, near, far});
 }
 
 Color Tracer::color(const Hit& hit) const {

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The counterpart authors
+# SPDX-License-Identifier: MIT
+#
+# Tests under Wine what scripts/windows.sh has built: match, reorder, view and render; names that are not ASCII; standard
+# output; what cannot be written; writers that are killed (tests/cli/killed.sh). What does not depend on the C library's
+# sine is the same as what the program of this machine makes (COUNTERPART, or build/release/counterpart).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+here=${COUNTERPART:-$PWD/build/release/counterpart}
+folder=$(mktemp -d)
+export WINEPREFIX=$folder/wine WINEDEBUG=-all
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+server=$(command -v wineserver || echo /usr/lib/wine/wineserver)
+trap '"$server" -k; rm -rf "$folder"' EXIT
+fail() {
+  echo "test_windows: $1" >&2
+  exit 1
+}
+
+# The program by a name that works here; it takes the place of the shell, so that killing this kills it.
+program=$folder/counterpart
+printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$PWD/build/windows/counterpart.exe" > "$program"
+chmod +x "$program"
+"$program" --version | grep -qE '^[0-9.]+$' || fail "--version"  # which also makes Wine's folder
+
+mkdir "$folder/work"
+cd "$folder/work"
+"$here" deform body a.obj --subdivisions 1 -q
+"$here" deform a.obj b.obj --bend 40 --shuffle 3 --truth truth.txt -q
+"$program" match a.obj b.obj -o map.txt --report report.json > said 2>&1
+cmp map.txt truth.txt || fail "match: another map"
+grep -qx use said || fail "match: no verdict"
+python3 -c "import json; assert json.load(open('report.json'))['peak_memory_bytes'] > 1e6"
+"$program" reorder a.obj b.obj -o mine.obj -q
+"$here" reorder a.obj b.obj -o other.obj -q
+cmp mine.obj other.obj || fail "reorder: other bytes"
+"$program" convert b.obj mine.glb -q
+"$here" convert b.obj other.glb -q
+cmp mine.glb other.glb || fail "convert: other bytes"
+"$program" view a.obj b.obj --map map.txt -o mine.html -q
+"$here" view a.obj b.obj --map map.txt -o other.html -q
+[ "$(wc -c < mine.html)" = "$(wc -c < other.html)" ] || fail "view: a page of another size"
+"$program" render a.obj b.obj --map map.txt --size 160x100 -o picture.png -q
+head -c 8 picture.png | grep -q PNG || fail "render: no picture"
+"$program" match a.obj b.obj --method spectral --threads 2 -o two.txt -q
+"$program" match a.obj b.obj --method spectral --threads 1 -o one.txt -q
+cmp one.txt two.txt || fail "match: the result depends on the number of threads"
+
+# Names in UTF-8, in messages too.
+cp a.obj Füße.obj
+"$program" convert Füße.obj ὅλος.ply -q
+"$here" convert a.obj other.ply -q
+cmp other.ply ὅλος.ply || fail "UTF-8: other bytes"
+! "$program" inspect Fuß.obj 2> said || fail "inspect: what is not there"
+grep -q '^error: Fuß.obj: cannot be opened (No such file or directory)' said || fail "UTF-8: the message: $(cat said)"
+
+# Standard output, line by line as on every system.
+"$program" match a.obj b.obj -o - -q > piped.txt
+cmp piped.txt truth.txt || fail "standard output: other bytes"
+
+# Refused before the work.
+! "$program" match a.obj b.obj -o none/map.txt -q 2> said || fail "a folder that is not there"
+grep -q "there is no folder none; create it first" said || fail "a folder that is not there: $(cat said)"
+chmod a-w map.txt
+! "$program" match a.obj b.obj -o map.txt -q 2> said || fail "a file that is read-only"
+grep -q "is read-only" said || fail "a file that is read-only: $(cat said)"
+[ "$(find . -name '*.part' -o -name '.counterpart*')" = "" ] || fail "left behind: $(find . -name '*.part')"
+
+cd "$OLDPWD"
+tests/cli/killed.sh "$program" "${1:-12}"
+echo "counterpart.exe: $(du -h --apparent-size build/windows/counterpart.exe | cut -f 1), all passed"
