@@ -82,8 +82,9 @@ TEST(RayTree, WhatIsMetLiesOnTheShape) {
         const Shape& shape = shapes[met->shape];
         if (shape.radius > 0) {
             EXPECT_NEAR(distance_to_segment(point, shape), shape.radius, 1e-5F) << i;
-            if (distance_to_segment(ray.origin, shape) > shape.radius)  // seen from outside
+            if (distance_to_segment(ray.origin, shape) > shape.radius) {  // seen from outside
                 EXPECT_LT(met->normal.dot(ray.direction), 1e-4F) << i;
+            }
         } else {
             const Eigen::Vector3f same =
                 (1 - met->u - met->v) * shape.a + met->u * shape.b + met->v * shape.c;
