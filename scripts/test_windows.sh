@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Tests under Wine what scripts/windows.sh has built: match, reorder, view and render; standard output; what cannot be written; writers that are killed (tests/cli/killed.sh). What does not depend on the C library's
-# sine is the same as what the program of this machine makes (COUNTERPART, or build/release/counterpart).
+# Tests under Wine what scripts/windows.sh has built: match, reorder, view and render; standard output; what cannot be
+# written; writers that are killed (tests/cli/killed.sh). What does not depend on the C library's sine is the same as what
+# the program of this machine makes (COUNTERPART, or build/release/counterpart).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 here=${COUNTERPART:-$PWD/build/release/counterpart}
