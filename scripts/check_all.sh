@@ -4,7 +4,7 @@
 #
 # Everything: the gate (.ci/run), then what only this covers. A release needs it, and a change of what it alone covers
 # (CONTRIBUTING.md lists that). scripts/check_all.sh [STEP...] runs some of the steps, in this order:
-#   gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels blender debian fuzz
+#   gate sanitizers default benchmarks consumers python docs examples viewer wasm windows wheels blender debian fuzz
 # `debian` needs root and debootstrap. Goes on after a step that fails, and names them all at the end. Hours on two cores.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -24,6 +24,8 @@ docs() { scripts/docs.sh; }
 examples() { scripts/examples.sh; }
 viewer() { scripts/test_viewer.sh; }
 wasm() { scripts/wasm.sh && scripts/test_wasm.sh; }
+# Compiled here, run under Wine.
+windows() { scripts/windows.sh && scripts/test_windows.sh; }
 # With the interpreters of both wheels, where they are installed: that of Debian 12, and 3.12 or newer.
 wheels() {
   local pythons=(python3) newer
@@ -37,7 +39,7 @@ debian() { scripts/test_debian.sh bookworm && scripts/test_debian.sh trixie; }
 # Ten minutes, shared by all targets.
 fuzz() { scripts/fuzz.sh 33; }
 
-steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm wheels blender debian fuzz}
+steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm windows wheels blender debian fuzz}
 failed=()
 for step in $steps; do
   echo "=== $step"

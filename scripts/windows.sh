@@ -6,7 +6,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-windows.txt
-scripts/libraries.sh build/windows-libraries "fmtlib pugixml libpng1.6 zlib" -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/windows.cmake"
+scripts/libraries.sh build/windows-libraries "fmtlib pugixml libpng1.6 zlib" \
+  -DCMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/windows.cmake"
 cmake --preset windows > /dev/null
 cmake --build --preset windows --target counterpart_cli
 x86_64-w64-mingw32-strip build/windows/counterpart.exe -o build/windows/stripped.exe
