@@ -19,7 +19,8 @@ done
 # As a user: the packed package in an empty folder, the five lines of its README, its types.
 user=$(mktemp -d)
 trap 'rm -rf "$user"' EXIT
-(cd "$user" && npm init -y > /dev/null && npm pkg set type=module && npm install --no-audit --no-fund "$OLDPWD"/build/wasm/counterpart3d-*.tgz > /dev/null)
+(cd "$user" && npm init -y > /dev/null && npm pkg set type=module &&
+  npm install --no-audit --no-fund "$OLDPWD"/build/wasm/counterpart3d-*.tgz > /dev/null)
 "$COUNTERPART" deform body "$user/a.obj" --subdivisions 1 -q
 "$COUNTERPART" deform "$user/a.obj" "$user/b.obj" --bend 40 --shuffle 2 --truth "$user/truth.txt" -q
 sed '1,/^```js/d' javascript/README.md |
