@@ -93,8 +93,9 @@ class Result:
 
     def _shown(self) -> list[tuple[str, str]]:
         """The fields and what is shown of each."""
-        fields = dataclasses.fields(self) if dataclasses.is_dataclass(self) else ()
-        return [(field.name, _brief(getattr(self, field.name))) for field in fields if field.repr]
+        if not dataclasses.is_dataclass(self):
+            return []
+        return [(field.name, _brief(getattr(self, field.name))) for field in dataclasses.fields(self) if field.repr]
 
 
 class MapResult(Result):

@@ -218,9 +218,22 @@ def view(
             errors.append(_mean_errors(found, pairs, ends[0].n_vertices))
         true = np.full(ends[0].n_vertices, -1, np.int32)
         true[pairs[::-1, 0]] = pairs[::-1, 1]
-    said = zip(*map(_told, named.values()), strict=True) if named else ([], [], [])
-    page = _core.viewer_page(*ends, list(named), images, errors, *said, true, source_name, target_name, up)
-    return View(page)
+    told = [_told(found) for found in named.values()]
+    return View(
+        _core.viewer_page(
+            *ends,
+            list(named),
+            images,
+            errors,
+            [confidence for confidence, _, _ in told],
+            [verdict for _, verdict, _ in told],
+            [warnings for _, _, warnings in told],
+            true,
+            source_name,
+            target_name,
+            up,
+        )
+    )
 
 
 def _runners_up(found: Any) -> dict[str, MapLike]:
