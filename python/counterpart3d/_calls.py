@@ -79,9 +79,23 @@ class Result:
     def __repr__(self) -> str:
         if not dataclasses.is_dataclass(self):
             return object.__repr__(self)
-        names = [field.name for field in dataclasses.fields(self) if field.repr]
-        shown = [f"{name}={_brief(getattr(self, name))}" for name in names]
+        shown = [f"{name}={value}" for name, value in self._shown()]
         return f"{type(self).__name__}({', '.join(shown)})"
+
+    def _repr_html_(self) -> str:
+        """A table, which notebooks show."""
+        import html  # here, as few need it
+
+        if not dataclasses.is_dataclass(self):
+            return f"<code>{html.escape(repr(self))}</code>"
+        rows = "".join(f"<tr><td>{name}</td><td>{html.escape(value)}</td></tr>" for name, value in self._shown())
+        return f"<table><caption>{type(self).__name__}</caption>{rows}</table>"
+
+    def _shown(self) -> list[tuple[str, str]]:
+        """The fields and what is shown of each."""
+        if not dataclasses.is_dataclass(self):
+            return []
+        return [(field.name, _brief(getattr(self, field.name))) for field in dataclasses.fields(self) if field.repr]
 
 
 class MapResult(Result):

@@ -21,7 +21,9 @@ from ._calls import ProgressLike, reporting
 from ._core import InvalidInput
 from ._evaluation import truth_pairs
 from ._maps import MapLike, vertex_map_of
+from ._match_results import Alternative, MatchResult, PartialAlternative, PartialResult, SpectralResult
 from ._meshes import MeshLike, core_mesh
+from ._messages import Telling
 
 Show = Literal["colors", "checker", "lines"]
 Colormap = Literal["viridis", "cividis", "magma"]
@@ -196,14 +198,15 @@ def view(
     ----------
     source, target : MeshLike
     maps : MapLike, or mapping of str to MapLike
-        One map, or several by name.
+        One map, or several by name. Of results the page tells the verdict, what may be wrong and the confidence; of a
+        single one its runners-up too.
     truth : array_like of int, optional
         The true map: the page then shows errors.
     source_name, target_name : str
     up : {"auto", "x", "y", "z", "-x", "-y", "-z"}
         What points up on the screen; auto guesses it from the source's shape, as `render` does.
     """
-    named = dict(maps) if isinstance(maps, Mapping) else {"map": maps}
+    named = dict(maps) if isinstance(maps, Mapping) else {"map": maps, **_runners_up(maps)}
     ends = core_mesh(source), core_mesh(target)
     images = [vertex_map_of(image, ends[1], name) for name, image in named.items()]
     true = np.empty(0, np.int32)
@@ -215,7 +218,52 @@ def view(
             errors.append(_mean_errors(found, pairs, ends[0].n_vertices))
         true = np.full(ends[0].n_vertices, -1, np.int32)
         true[pairs[::-1, 0]] = pairs[::-1, 1]
-    return View(_core.viewer_page(*ends, list(named), images, errors, true, source_name, target_name, up))
+    told = [_told(found) for found in named.values()]
+    return View(
+        _core.viewer_page(
+            *ends,
+            list(named),
+            images,
+            errors,
+            [confidence for confidence, _, _ in told],
+            [verdict for _, verdict, _ in told],
+            [warnings for _, _, warnings in told],
+            true,
+            source_name,
+            target_name,
+            up,
+        )
+    )
+
+
+def _runners_up(found: Any) -> dict[str, MapLike]:
+    """By what they are, numbered where that is the same."""
+    details = found if isinstance(found, (SpectralResult, PartialResult)) else None
+    if isinstance(found, MatchResult):
+        details = found.spectral or found.partial
+    if details is None:
+        return {}
+    described: dict[str, MapLike] = {}
+    for other in details.alternatives:
+        name, number = _described(other), 1
+        while (numbered := name if number == 1 else f"{name} ({number})") in described:
+            number += 1
+        described[numbered] = other
+    return described
+
+
+def _described(other: Alternative | PartialAlternative) -> str:
+    if isinstance(other, Alternative):
+        return other.description
+    return f"runner-up: {100 * other.moved:.0f} % of the vertices go elsewhere"
+
+
+def _told(found: Any) -> tuple[FloatArray, str, list[str]]:
+    """The confidence, the verdict and the warnings of a map, as far as it has them."""
+    warnings = [str(message) for message in found.warnings] if isinstance(found, Telling) else []
+    verdict = found.verdict.advice if isinstance(found, MatchResult) else ""
+    is_graded = isinstance(found, (MatchResult, SpectralResult, PartialResult))
+    return found.confidence if is_graded else np.empty(0), verdict, warnings
 
 
 def _mean_errors(found: dict[str, Any], pairs: npt.NDArray[np.int32], n_vertices: int) -> FloatArray:

@@ -136,13 +136,18 @@ void bind_pictures(nb::module_& module) {
         "viewer_page",
         [](const Mesh& source, const Mesh& target, const std::vector<std::string>& names,
            const std::vector<IndexArray>& maps, const std::vector<VectorArray>& errors,
-           const IndexArray& truth, const std::string& source_name, const std::string& target_name,
-           const std::string& up) {
+           const std::vector<VectorArray>& confidences, const std::vector<std::string>& verdicts,
+           const std::vector<std::vector<std::string>>& warnings, const IndexArray& truth,
+           const std::string& source_name, const std::string& target_name, const std::string& up) {
             std::vector<ViewerMap> shown;
             for (std::size_t i = 0; i < maps.size(); ++i) {
-                shown.push_back({names[i], vertex_map_of(maps[i], target.n_vertices())});
+                ViewerMap& map =
+                    shown.emplace_back(ViewerMap{names[i], vertex_map_of(maps[i], target.n_vertices())});
                 if (i < errors.size())
-                    shown.back().error.assign(errors[i].data(), errors[i].data() + errors[i].size());
+                    map.error.assign(errors[i].data(), errors[i].data() + errors[i].size());
+                map.confidence.assign(confidences[i].data(), confidences[i].data() + confidences[i].size());
+                map.verdict = verdicts[i];
+                map.warnings = warnings[i];
             }
             return run([&] {
                 return viewer_page(
@@ -153,8 +158,8 @@ void bind_pictures(nb::module_& module) {
                      .up = find_camera(source, {.direction = "front", .up = up}).row(1).transpose()});
             });
         },
-        "source"_a, "target"_a, "names"_a, "maps"_a, "errors"_a, "truth"_a, "source_name"_a, "target_name"_a,
-        "up"_a);
+        "source"_a, "target"_a, "names"_a, "maps"_a, "errors"_a, "confidences"_a, "verdicts"_a, "warnings"_a,
+        "truth"_a, "source_name"_a, "target_name"_a, "up"_a);
 }
 
 }  // namespace counterpart::python

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 import os
+import re
 import signal
 import subprocess
 import threading
@@ -20,6 +21,8 @@ def test_exact(pair):
     np.testing.assert_array_equal(result.target_from_source, truth)
     assert cp.match(source, target).exact.identical
     assert "identical=True" in repr(result) and f"int32[{source.n_vertices}]" in repr(result)
+    rows = re.findall(r"<tr><td>(\w+)</td><td>(.*?)</td></tr>", result._repr_html_())
+    assert dict(rows)["identical"] == "True" and repr(result).count("=") >= len(rows) > 3
 
 
 def test_different_connectivity_is_a_result(pair):

@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
+import json
+import re
 import urllib.request
 
 import counterpart3d as cp
@@ -51,6 +53,22 @@ def test_view(pair, tmp_path):
     assert pages["auto"] == pages["z"] and len({pages["y"], pages["z"], pages["-z"]}) == 3
     with pytest.raises(cp.InvalidInput, match="up axis"):
         cp.view(source, target, truth, up="w")
+
+
+def test_view_tells_of_results(pair):
+    """The verdict and the confidence of a result, and its runners-up by what they are."""
+    source, target, _ = pair
+    result = cp.match(source, target, "spectral", basis_size=30, n_samples=200)
+    scene = json.loads(re.search(r'id="scene">(.*?)</script>', cp.view(source, target, result).html)[1])
+    found = scene["maps"][0]
+    assert found["verdict"] == result.verdict.advice
+    assert found.get("warnings", []) == [str(message) for message in result.warnings]
+    assert "confidence_offset" in found
+    names = [shown["name"] for shown in scene["maps"][1:]]
+    described = [other.description for other in result.spectral.alternatives]
+    assert described and len(set(names)) == len(names)
+    assert [re.sub(r" \(\d+\)$", "", name) for name in names] == described
+    assert not any("confidence_offset" in m or "verdict" in m for m in scene["maps"][1:])
 
 
 def test_show_opens_what_was_made(body, monkeypatch):

@@ -8,6 +8,8 @@ import multiprocessing
 import pathlib
 import pickle
 import re
+import subprocess
+import sys
 
 import counterpart3d as cp
 import numpy as np
@@ -154,22 +156,30 @@ def check(meshes, results):
         np.testing.assert_array_equal(found, expected)
 
 
-def test_the_recipe_in_the_docs(meshes, tmp_path, monkeypatch):
-    page = pathlib.Path(__file__).parent.parent.parent / "docs" / "python.md"
+def test_the_recipe_in_the_docs(meshes, tmp_path):
+    """Run as a person runs it, as a file of its own: all pairs of five meshes by each library, with a bar."""
+    page = pathlib.Path(__file__).parent.parent.parent / "docs" / "howto" / "batch.md"
     if not page.exists():
         pytest.skip("not in the repository")
-    pytest.importorskip("joblib")
-    pytest.importorskip("tqdm")
+    for library in ("joblib", "tqdm", "distributed"):
+        pytest.importorskip(library)
     (tmp_path / "folder").mkdir()
     for i, mesh in enumerate(meshes):
         mesh.save(tmp_path / "folder" / f"{i}.ply")
-    monkeypatch.chdir(tmp_path)
-    names = {"__name__": "__main__"}
-    blocks = re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)
-    assert len(blocks) == 2
-    for block in blocks:
-        exec(block, names)
-        check(meshes, [result.target_from_source for result in names["results"]])
+    start, *ways = re.findall(r"```python\n(.*?)```", page.read_text(), re.DOTALL)
+    assert len(ways) == 3
+    save = """
+if __name__ == "__main__":
+    import numpy as np
+
+    np.save("maps.npy", [result.target_from_source for result in results])
+"""
+    for way in ways:
+        (tmp_path / "batch.py").write_text(start + way + save)
+        ran = subprocess.run([sys.executable, "batch.py"], cwd=tmp_path, capture_output=True, text=True, timeout=300)
+        assert ran.returncode == 0 and "25/25" in ran.stderr, ran.stderr
+        check(meshes, np.load(tmp_path / "maps.npy"))
+        (tmp_path / "maps.npy").unlink()
 
 
 def test_multiprocessing_spawn(meshes):
