@@ -82,7 +82,7 @@ struct PartialResult {
 ///
 /// Throws InvalidInput for invalid meshes, meshes without area or with fewer than 50 distinct vertices, and
 /// for options out of range, or more vertices times samples than 450 million; Canceled. About O(V^1.2) time;
-/// memory: 4 (n_samples + landmarks) bytes per vertex and 576 (n_samples / 4 + landmarks)^2 bytes.
+/// memory: 8 (n_samples + landmarks) bytes per vertex and 576 (n_samples / 4 + landmarks)^2 bytes.
 PartialResult match_partial(MeshView source, MeshView target, const PartialOptions& options = {});
 
 }  // namespace counterpart
