@@ -101,6 +101,8 @@ class LegacyReader {
     }
 
     void read_points() {
+        // Cells were checked against the first.
+        if (cells_.n_vertices() > 0) text_.fail("the points are given a second time");
         const std::int64_t n = count("number of points");
         cells_.coordinates = read_numbers(3 * n, type_word(), "coordinates");
     }

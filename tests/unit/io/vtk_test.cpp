@@ -165,6 +165,8 @@ TEST(Vtk, WhatIsWrongIsNamed) {
     refused(ascii + "POINTS 3 complex\n0 0 0", "of type complex");
     refused(points + "POLYGONS 1 4\n3 0 1 3\n", "a.vtk:8: the element names vertex 3");
     refused(points + "POLYGONS 1 3\n2 0 1\n", "with 2 corners");
+    refused(points + "POLYGONS 1 4\n3 0 1 2\nPOINTS 1 float\n0 0 0\n",
+            "a.vtk:9: the points are given a second time");
     refused(points + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2\n",
             "offset 1");
     refused(points + "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 -1\n",
