@@ -128,7 +128,7 @@ cmp -s view.html before && [ -s view_2.html ] || fail "view without -o replaced 
 # ---- a page that matches by itself says how sure it is, and what came close ----
 run deform fine.obj leaning.obj --bend 20 -q  # surfaces that coincide have no runner-ups
 run view a.obj leaning.obj -o own.html
-grep -q '"confidence of match"' own.html || fail "the page does not show how sure the map is"
+grep -q '"confidence_offset"' own.html || fail "the page does not show how sure the map is"
 grep -qE '"(turned|mirrored|another [a-z]+)[^"]*: [0-9]+ %' own.html || fail "runner-ups are not named by what they are"
 grep -qE '"evaluation":"(use|check|do not use)' own.html || fail "the page does not say the verdict"
 

@@ -19,10 +19,10 @@ struct MeshObject {
 
 /// The objects of a file that have triangles, in its order, as ReadOptions::object chooses one of them: of
 /// OBJ what follows each `o` line or, where there is none, what is in each group `g`; of glTF each
-/// node that shows a mesh, by its name or else the mesh's; of text STL each `solid`. Other files have one, without a name. Of
-/// several, each has the vertices that its triangles name and those in it that no triangle names, so that
-/// objects may share vertices; the only one has all. `options.object` is not heeded. O(size of the file).
-/// Throws IoError as read_mesh.
+/// node that shows a mesh, by its name or else the mesh's; of text STL each `solid`. Other files have one,
+/// without a name. Of several, each has the vertices that its triangles name and those in it that no triangle
+/// names, so that objects may share vertices; the only one has all. `options.object` is not heeded. O(size of
+/// the file). Throws IoError as read_mesh.
 std::vector<MeshObject> mesh_objects(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The same, of a mesh that was read, whose objects fit it. O(V + F).
