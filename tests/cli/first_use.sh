@@ -130,7 +130,7 @@ run deform fine.obj leaning.obj --bend 20 -q  # surfaces that coincide have no r
 run view a.obj leaning.obj -o own.html
 grep -q '"confidence_offset"' own.html || fail "the page does not show how sure the map is"
 grep -qE '"(turned|mirrored|another [a-z]+)[^"]*: [0-9]+ %' own.html || fail "runner-ups are not named by what they are"
-grep -qE '"evaluation":"(use|check|do not use)' own.html || fail "the page does not say the verdict"
+grep -qE '"verdict":"(use|check|do not use)"' own.html || fail "the page does not say the verdict"
 
 # ---- frames of an earlier run ----
 run morph a.obj b.obj --map map.txt -n 3 -o film -q
