@@ -9,8 +9,9 @@ export async function isolate(mayReload: () => boolean): Promise<void> {
   try {
     if (sessionStorage.getItem(reloaded)) return;
     await navigator.serviceWorker.register("service_worker.js");
-    await navigator.serviceWorker.ready;
-    if (!mayReload()) return;
+    // It may come to nothing without a word.
+    const late = new Promise<null>((resolve) => setTimeout(resolve, 3000, null));
+    if (!(await Promise.race([navigator.serviceWorker.ready, late])) || !mayReload()) return;
     sessionStorage.setItem(reloaded, "yes");
   } catch {
     return; // a browser may forbid either
