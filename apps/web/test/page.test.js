@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { write, writePair } from "./meshes.js";
-import { canMatch, give, matched, picture, resultOf, saved, text, visits, within } from "./visit.js";
+import { canMatch, give, matched, picture, resultOf, text, visits, within } from "./visit.js";
 
 const start = visits();
 
@@ -39,19 +39,6 @@ for (const [kind, method, verdict] of [
     await end();
   });
 }
-
-test("without threads the page does the same", async () => {
-  const texts = [];
-  for (const serviceWorkers of ["allow", "block"]) {
-    const { page, end } = await start({ serviceWorkers });
-    assert.equal(await page.evaluate(() => window.crossOriginIsolated), serviceWorkers === "allow");
-    await page.click("[data-example=part]");
-    await resultOf(page);
-    texts.push((await saved(page, "save-map")).bytes.toString());
-    await end();
-  }
-  assert.equal(texts[0], texts[1]);
-});
 
 test("an unlike pair is not said to be good", async () => {
   const { source } = writePair(60, 40, "ring");

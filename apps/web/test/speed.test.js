@@ -20,24 +20,21 @@ async function bestOfThree(page) {
   return Math.min(...seconds);
 }
 
-for (const serviceWorkers of ["block", "allow"]) {
-  const threads = serviceWorkers === "block" ? "one thread" : "threads";
-  test(`an exact pair of 100 000 vertices with ${threads}`, async (context) => {
-    const { source, target } = writePair(400, 250, "large");
-    const { page, end } = await start({ serviceWorkers });
-    await give(page, source, target);
-    const seconds = await bestOfThree(page);
-    assert.match(await text(page, "summary"), /Matched 100,000 of 100,000 vertices by exact/);
-    within(context, "seconds", seconds, 2);
-    await end();
-  });
-}
+test("an exact pair of 100 000 vertices", async (context) => {
+  const { source, target } = writePair(400, 250, "large");
+  const { page, end } = await start();
+  await give(page, source, target);
+  const seconds = await bestOfThree(page);
+  assert.match(await text(page, "summary"), /Matched 100,000 of 100,000 vertices by exact/);
+  within(context, "seconds", seconds, 2);
+  await end();
+});
 
 test("a near-isometric pair of 5000 vertices takes at most three times as long as a thread of the program", async (context) => {
   const [a, b] = ["a.ply", "b.ply"];
   run("deform", "body", a, "--retriangulate", "0.275");
   run("deform", "body", b, "--bend", "60", "--retriangulate", "0.275", "--seed", "2", "--shuffle", "3");
-  const { page, end } = await start({ serviceWorkers: "block" });
+  const { page, end } = await start();
   await give(page, join(native, a), join(native, b));
   const ratios = [];
   for (let i = 0; i < 2; i++) {

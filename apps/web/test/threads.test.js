@@ -23,7 +23,9 @@ before(async () => {
     page.context().on("request", (request) => loaded.push(request.url()));
     await page.goto(`${address}pages/empty.html`);
     await page.evaluate(async () => {
-      window.counterpart = await (await import("/package/remote.js")).startWorker();
+      const { compile, libraryAddress } = await import("/package/index.js");
+      const { startWorker } = await import("/package/remote.js");
+      window.counterpart = await startWorker(await compile(libraryAddress(window.crossOriginIsolated)));
     });
     assert.equal(loaded.some((url) => url.endsWith("/library_threads.wasm")), headers === isolating);
     sides.push({ server, page });

@@ -27,8 +27,7 @@ export function visits() {
   return (options) => visit(open.browser, `${open.site.address}project/`, options);
 }
 
-/** Opens the page, with threads unless `serviceWorkers` is "block". Its `end` checks that it asked for nothing from elsewhere and
- * that nothing went wrong unsaid. */
+/** Opens the page. Its `end` checks that it asked for nothing from elsewhere and that nothing went wrong unsaid. */
 async function visit(browser, address, options = {}) {
   const tab = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const page = await tab.newPage();
@@ -42,12 +41,9 @@ async function visit(browser, address, options = {}) {
   tab.on("request", (request) => requests.push(request.url()));
   const start = performance.now();
   await page.goto(address, { waitUntil: "domcontentloaded" });
-  if (options.serviceWorkers !== "block")
-    await page.waitForFunction(() => window.crossOriginIsolated && document.readyState !== "loading");
   const milliseconds = performance.now() - start;
   const end = async (expected = []) => {
-    const known = [/Service Worker registration blocked by Playwright/, ...expected];
-    assert.deepEqual(complaints.filter((said) => !known.some((pattern) => pattern.test(said))), []);
+    assert.deepEqual(complaints.filter((said) => !expected.some((pattern) => pattern.test(said))), []);
     assert.deepEqual(requests.filter((url) => !url.startsWith(address) && !/^(data|blob):/.test(url)), []);
     await tab.close();
   };
