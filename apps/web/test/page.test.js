@@ -99,6 +99,7 @@ async function pickLandmark(page, frame, nth) {
     const pairs = Array.from(image, (to, from) => [from, to]);
     return pairs.filter(([from, to]) => to >= 0 && isSeen("source", from) && isSeen("target", to))[skipped];
   }, nth);
+  await page.evaluate(() => window.scrollTo(0, 0));
   const box = await page.locator("#viewer").boundingBox();
   for (const [i, side] of ["source", "target"].entries()) {
     const at = await frame.evaluate(([side, vertex]) => window.counterpart.screenPosition(side, vertex), [side, pair[i]]);
@@ -121,7 +122,11 @@ test("landmarks are clicked and used, and others are added to them", async () =>
   assert.ok(await page.isHidden("#match-again"));
   assert.equal(await frame.locator("#landmarks").innerText(), "1 pair");
   await frame.check("#picking");
-  await pickLandmark(page, frame, 500);
+  // One at the rim of a mesh may be missed.
+  for (const nth of [100, 300, 700, 1100]) {
+    await pickLandmark(page, frame, nth);
+    if ((await frame.locator("#landmarks").innerText()) === "2 pairs") break;
+  }
   assert.equal(await text(page, "match-again"), "Match again with 2 landmarks");
   await frame.click("#clear-landmarks");
   assert.equal(await text(page, "match-again"), "Match again with no landmarks");
