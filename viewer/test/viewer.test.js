@@ -281,7 +281,10 @@ test("lines and the morph change the picture; the source's vertices move to thei
 
 test("views are linked until they are not; the keyboard turns them", async () => {
   const { page, context } = await open(browser, file);
-  const both = async () => [await position(page, "source", 9), await position(page, "target", 9)];
+  const both = async () => {
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    return [await position(page, "source", 9), await position(page, "target", 9)];
+  };
   const moved = (a, b) => a.map((p, i) => Math.hypot(p.x - b[i].x, p.y - b[i].y) > 1);
   const start = await both();
   await page.locator("#meshes").focus();
