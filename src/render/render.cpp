@@ -17,7 +17,7 @@
 namespace counterpart::render {
 namespace {
 
-/// In image space. Rays are cast in single precision, and Embree ends the program where lengths overflow.
+/// In image space. Rays are cast in single precision, in which products of lengths must not overflow.
 constexpr double largest_coordinate = 1e15;
 
 void require_in_range(double largest) {
