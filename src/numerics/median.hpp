@@ -8,6 +8,7 @@ namespace counterpart::numerics {
 
 /// Of an even number of values the upper one of both in the middle; 0 of none. O(n).
 double median(std::vector<double> values);
+float median(std::vector<float> values);
 
 /// The median of how far values are from their median; 0 of none. O(n).
 double median_absolute_deviation(std::vector<double> values);

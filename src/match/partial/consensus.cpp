@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "numerics/median.hpp"
 #include "numerics/product.hpp"
 
 #include <algorithm>
@@ -17,13 +18,6 @@ namespace counterpart::partial_match {
 namespace {
 
 using Row = Eigen::Index;  // of a matrix
-
-float median(std::vector<float> values) {
-    if (values.empty()) return 0;
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
 
 // Possible matches, K per source sample, side by side.
 struct Matches {
@@ -200,7 +194,7 @@ SampleMap settle(const Affinity& affinity, const Matches& matches, const MatrixF
             support[i] = sum[chosen[i]] / std::max(most[u], 1e-9F);
             if (votes[i] != 0) of_voters.push_back(support[i]);
         }
-        const float least = static_cast<float>(tuning.min_support) * median(of_voters);
+        const float least = static_cast<float>(tuning.min_support) * numerics::median(of_voters);
         for (std::size_t u = 0; u < votes.size(); ++u) votes[u] = support[u] > least ? 1 : 0;
     }
     SampleMap map;

@@ -3,6 +3,7 @@
 #include "base/multiversion.hpp"
 #include "base/parallel.hpp"
 #include "match/partial/consensus.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -22,12 +23,6 @@ COUNTERPART_MULTIVERSION void add_votes(const float* low, const float* high, std
     }
 }
 
-float median_of(std::vector<float> values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                     values.end());
-    return values[values.size() / 2];
-}
-
 }  // namespace
 
 SampleMap relabel(const SamplePair& pair, const SampleMap& start, const ConsensusTuning& consensus,
@@ -40,7 +35,7 @@ SampleMap relabel(const SamplePair& pair, const SampleMap& start, const Consensu
     std::vector<float> of_voters;
     for (std::size_t u = 0; u < n; ++u)
         if (map.vote[u] > 0) of_voters.push_back(map.support[u]);
-    const float usual = of_voters.empty() ? 1 : std::max(median_of(of_voters), 1e-9F);
+    const float usual = of_voters.empty() ? 1 : std::max(numerics::median(of_voters), 1e-9F);
     for (std::size_t u = 0; u < n; ++u) map.vote[u] *= std::min(map.support[u] / usual, 1.0F);
 
     for (int round = 0; round < tuning.n_rounds; ++round) {
@@ -76,7 +71,7 @@ SampleMap relabel(const SamplePair& pair, const SampleMap& start, const Consensu
         std::size_t n_changed = 0;
         for (std::size_t u = 0; u < n; ++u) n_changed += image[u] != map.image[u] ? 1U : 0U;
         map.image = std::move(image);
-        const float middle = std::max(median_of(map.support), 1e-9F);
+        const float middle = std::max(numerics::median(map.support), 1e-9F);
         for (std::size_t u = 0; u < n; ++u)
             map.vote[u] = std::clamp((map.support[u] / middle - static_cast<float>(tuning.vote_from)) /
                                          static_cast<float>(tuning.vote_range),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
+#include "support/edits.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/geodesic/distances.hpp>
@@ -51,11 +52,11 @@ TriangleMesh roughened(TriangleMesh mesh, double amount, std::uint64_t seed) {
 
 // Two meshes and an isolated vertex in one.
 TriangleMesh beside(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh both{Points(a.n_vertices() + b.n_vertices() + 1, 3),
-                      Triangles(a.n_triangles() + b.n_triangles(), 3)};
-    both.vertices << a.vertices, b.vertices.rowwise() + Eigen::RowVector3d(3, 0, 0),
-        Eigen::RowVector3d(9, 9, 9);
-    both.triangles << a.triangles, b.triangles.array() + a.n_vertices();
+    TriangleMesh moved = b;
+    moved.vertices.col(0).array() += 3;
+    TriangleMesh both = test::joined(a, moved);
+    both.vertices.conservativeResize(both.n_vertices() + 1, 3);
+    both.vertices.bottomRows(1).setConstant(9);
     return both;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "support/disguise.hpp"
+#include "support/edits.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/frontiers.hpp>
@@ -168,13 +169,7 @@ TEST(MatchFrontiers, EdgeSplitsDropTheirNewVertices) {
 // `parts` side by side.
 TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
     TriangleMesh all;
-    for (const TriangleMesh& part : parts) {
-        const Index v = all.n_vertices(), t = all.n_triangles();
-        all.vertices.conservativeResize(v + part.n_vertices(), 3);
-        all.vertices.bottomRows(part.n_vertices()) = part.vertices;
-        all.triangles.conservativeResize(t + part.n_triangles(), 3);
-        all.triangles.bottomRows(part.n_triangles()) = part.triangles.array() + v;
-    }
+    for (const TriangleMesh& part : parts) all = test::joined(all, part);
     return all;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/surface/preprocess.hpp"
+#include "support/edits.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
@@ -19,14 +20,6 @@ std::vector<Index> counting(Index n) {
     std::vector<Index> numbers(static_cast<std::size_t>(n));
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
-}
-
-TriangleMesh beside(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh mesh{Points(a.n_vertices() + b.n_vertices(), 3),
-                      Triangles(a.n_triangles() + b.n_triangles(), 3)};
-    mesh.vertices << a.vertices, b.vertices;
-    mesh.triangles << a.triangles, (b.triangles.array() + a.n_vertices()).matrix();
-    return mesh;
 }
 
 TEST(SurfacePreprocess, IsTheWholeOfAGoodMesh) {
@@ -63,7 +56,7 @@ TEST(SurfacePreprocess, LeavesOutCrumbsAndLooseVertices) {
     TriangleMesh crumb = make_icosphere(0);
     crumb.vertices *= 0.05;
     crumb.vertices.rowwise() += Eigen::RowVector3d(0, 0, 1.5);
-    TriangleMesh mesh = beside(crumb, make_icosphere(3));
+    TriangleMesh mesh = test::joined(crumb, make_icosphere(3));
     mesh.vertices.conservativeResize(mesh.n_vertices() + 1, 3);
     mesh.vertices.bottomRows(1) << 0, 0, -2;
     const Preprocessed result = preprocess(mesh);
@@ -99,7 +92,7 @@ TEST(SurfacePreprocess, LeavesOutComponentsBelowATenthOfTheLargest) {
     speck.vertices.col(0).array() += 3;
     other.vertices *= 0.4;  // a sixth
     other.vertices.col(0).array() -= 3;
-    const Preprocessed result = preprocess(beside(beside(speck, other), make_icosphere(2)));
+    const Preprocessed result = preprocess(test::joined(test::joined(speck, other), make_icosphere(2)));
     EXPECT_EQ(result.n_components, 2);
     EXPECT_EQ(result.n_small_components, 1);
 }

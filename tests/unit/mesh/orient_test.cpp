@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/orient.hpp"
 
+#include "support/edits.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/mesh/analyze.hpp>
 #include <counterpart/mesh/measure.hpp>
@@ -15,14 +17,6 @@ namespace counterpart {
 namespace {
 
 void turn(TriangleMesh& mesh, Index t) { std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2)); }
-
-TriangleMesh beside(const TriangleMesh& a, const TriangleMesh& b) {
-    TriangleMesh mesh{Points(a.n_vertices() + b.n_vertices(), 3),
-                      Triangles(a.n_triangles() + b.n_triangles(), 3)};
-    mesh.vertices << a.vertices, b.vertices;
-    mesh.triangles << a.triangles, (b.triangles.array() + a.n_vertices()).matrix();
-    return mesh;
-}
 
 // A band of n quadrilaterals with a half turn.
 TriangleMesh moebius_band(int n) {
@@ -79,8 +73,8 @@ TEST(Orient, TreatsClosedPiecesApartAndOpenOnesTogether) {
     for (Index t = 0; t < small.n_triangles(); ++t) turn(small, t);
     small.vertices.col(0).array() += 5;
     EXPECT_FALSE(
-        mesh::orient(beside(make_icosphere(3), small)).was_inside_out);  // most of the area was right
-    EXPECT_GT(signed_volume(mesh::orient(beside(make_icosphere(3), small)).mesh), 4.5);
+        mesh::orient(test::joined(make_icosphere(3), small)).was_inside_out);  // most of the area was right
+    EXPECT_GT(signed_volume(mesh::orient(test::joined(make_icosphere(3), small)).mesh), 4.5);
 
     TriangleMesh bowl = make_icosphere(3);
     bowl.triangles.conservativeResize(bowl.n_triangles() * 3 / 4, 3);
