@@ -145,26 +145,34 @@ std::vector<Start> free_of_landmarks(const Level& level, const Map& map, Schedul
     return {{map, schedule}};
 }
 
+// Each map with each of its guides, and then without; best first.
+std::vector<Map> moved(const Level& level, const std::vector<Map>& maps, const ProgressRange& progress) {
+    const MoveTuning& tuning = level.tuning.moves;
+    std::vector<Start> guided, free = free_of_landmarks(level, maps.front(), tuning.free);
+    for (const Map& map : maps)
+        for (Start& start : guided_starts(level, map, tuning)) guided.push_back(std::move(start));
+    for (Map& map : refine_all(level, guided, progress.part(0, 0.6)))
+        free.push_back({std::move(map), tuning.free});
+    std::vector<Map> found = refine_all(level, free, progress.part(0.6, 1));
+    sort_by_rank(found);
+    return found;
+}
+
 }  // namespace
 
 Contenders move_extremities(Contenders contenders, const Level& level, const ProgressRange& progress) {
     const MoveTuning& tuning = level.tuning.moves;
     const RaceTuning& race = level.tuning.race;
     const MapDistance distance(level.pair);
-    const Map leader = contenders.leader();
-    if (leader.rank() >= tuning.good_score && level.pair.priors.empty()) {
+    const double best = contenders.leader().rank();
+    if (best >= tuning.good_score && level.pair.priors.empty()) {
         progress.reach(1);
         return contenders;
     }
-    std::vector<Start> starts;
-    for (Map& map : refine_all(level, guided_starts(level, leader, tuning), progress.part(0, 0.5)))
-        starts.push_back({std::move(map), tuning.free});
-    for (Start& start : free_of_landmarks(level, leader, tuning.free)) starts.push_back(std::move(start));
-    std::vector<Map> found = refine_all(level, starts, progress.part(0.5, 0.8));
-    sort_by_rank(found);
+    contenders.keep(tuning.last, distance, race.distinct);
+    std::vector<Map> found = moved(level, contenders.in_race, progress.part(0, 0.8));
     for (std::size_t i = 0; i < std::min(found.size(), tuning.n_joining); ++i)
-        if (found[i].rank() > leader.rank() - tuning.joining.behind)
-            contenders.in_race.push_back(std::move(found[i]));
+        if (found[i].rank() > best - tuning.joining.behind) contenders.in_race.push_back(std::move(found[i]));
     contenders.keep(tuning.joining, distance, race.distinct);
     refine_again(contenders.in_race, level, race.second, progress.part(0.8, 1));
     contenders.keep(tuning.last, distance, race.distinct);

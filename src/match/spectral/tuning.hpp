@@ -213,7 +213,7 @@ struct RaceTuning {
     Distinctness distinct{.mean = 0.05, .moved_share = 0.05};
 };
 
-/// Stage 4, moves: other matchings of extremities, tried on the leader of the race.
+/// Stage 4, moves: other matchings of extremities, tried on the leaders of the race.
 struct MoveTuning {
     double good_score = 1.15;  ///< a leader of so much is left as it is
     double most_apart = 0.6;   ///< there and back, of extremities that may correspond
@@ -232,7 +232,7 @@ struct MoveTuning {
                   .islands_from = 2};
     std::size_t n_joining = 2;  ///< of the maps found, that go on,
     Heat joining{4, 0.02};      ///< if at most so far behind
-    Heat last{3, 0.06};
+    Heat last{3, 0.06};         ///< before and after the moves
 };
 
 /// Stage 5, polish.
