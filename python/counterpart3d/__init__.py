@@ -16,6 +16,7 @@ from ._alignment import AlignResult, align
 from ._arrays import FloatArray, IntArray
 from ._calls import ProgressLike
 from ._comparison import Comparison, MethodChoice, choose_method, compare
+from ._connectivity_results import Count, Differences, Edit, ExactResult, FrontiersResult
 from ._core import Canceled, InvalidInput, IoError, NumericalError, UnsuitableMesh
 from ._evaluation import Evaluation, MapQuality, evaluate, map_quality
 from ._landmarks import Landmarks, carry_landmarks, landmark_pairs, read_landmarks, write_landmarks
@@ -33,11 +34,6 @@ from ._maps import (
 )
 from ._match_results import (
     Alternative,
-    Count,
-    Differences,
-    Edit,
-    ExactResult,
-    FrontiersResult,
     MatchResult,
     PartialAlternative,
     PartialResult,
@@ -45,17 +41,8 @@ from ._match_results import (
     verdict,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
-from ._meshes import (
-    Mesh,
-    MeshLike,
-    MeshObject,
-    inspect,
-    objects,
-    read,
-    vertex_areas,
-    vertex_normals,
-    write,
-)
+from ._mesh_inspection import MeshObject, inspect, objects, vertex_areas, vertex_normals
+from ._meshes import Mesh, MeshLike, read, write
 from ._messages import Message, Verdict, Where
 from ._pictures import Picture, View, render, view
 from ._shape_matching import SpectralShape, match_partial, match_spectral

@@ -11,10 +11,11 @@ from typing import Any
 from . import _core
 from ._arrays import IntArray
 from ._calls import ProgressLike, reporting
+from ._connectivity_results import Differences, ExactResult, FrontiersResult
 from ._core import InvalidInput
 from ._maps import MapLike, SurfaceMap, opened, require_length, surface_map_of, vertex_map_of
 from ._match_options import Direction, Method, Pairing, Part, exact_options, match_options, with_fields
-from ._match_results import Differences, ExactResult, FrontiersResult, MatchResult
+from ._match_results import MatchResult
 from ._meshes import MeshLike, core_mesh
 from ._messages import Verdict, messages_of
 from ._shape_matching import SpectralShape

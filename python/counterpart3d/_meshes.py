@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -333,47 +333,6 @@ def content_of(mesh: MeshLike) -> _core.Content:
     return found._content or _core.Content(found.vertices, found.triangles)
 
 
-class MeshObject(NamedTuple):
-    """One of the objects of a file, as `objects` lists them."""
-
-    number: int
-    """Its place among them, from 0."""
-    name: str
-    """May be empty, and that of another object too."""
-    n_vertices: int
-    """How many vertices it has."""
-    n_triangles: int
-    """How many triangles it has."""
-
-
-def objects(file: str | os.PathLike[str], *, allow_external: bool = False) -> list[MeshObject]:
-    """The objects of a mesh file that have triangles, of which `read` can take one alone.
-
-    In OBJ files they are what follows each line ``o`` or, without these, the groups ``g``; in glTF files the meshes, by
-    the names of the nodes that place them; in text STL files the solids. Other files have one, without a name.
-
-    Parameters
-    ----------
-    file : path
-        Its extension decides the format.
-    allow_external : bool
-        Follow what a glTF file names outside its own folder.
-
-    Raises
-    ------
-    IoError
-        The file cannot be read; names the file, the line and the reason.
-
-    Examples
-    --------
-    >>> import counterpart3d as cp
-    >>> for thing in cp.objects("scene.glb"):  # doctest: +SKIP
-    ...     cp.write(cp.read("scene.glb", object=thing.number), f"{thing.name}.ply")
-    """
-    listed = _core.objects(os.fspath(file), allow_external)
-    return [MeshObject(i, name.decode("utf-8", "replace"), *counts) for i, (name, *counts) in enumerate(listed)]
-
-
 def read(
     file: str | os.PathLike[str],
     *,
@@ -426,27 +385,3 @@ def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:
         _core.write(mesh._content, os.fspath(file))
     else:
         _core.write_triangles(core_mesh(mesh), os.fspath(file))
-
-
-def inspect(mesh: MeshLike) -> dict[str, Any]:
-    """Counts, measures and defects of a mesh: what `counterpart inspect` prints.
-
-    Examples
-    --------
-    >>> import counterpart3d as cp
-    >>> report = cp.inspect(cp.make_torus())
-    >>> report["components"][0]["genus"], report["is_closed"]
-    (1, True)
-    """
-    report: dict[str, Any] = _core.inspect(core_mesh(mesh))
-    return report
-
-
-def vertex_areas(mesh: MeshLike) -> FloatArray:
-    """A third of the area of the triangles at each vertex, (n_vertices,), in squared mesh units."""
-    return _core.vertex_areas(core_mesh(mesh))
-
-
-def vertex_normals(mesh: MeshLike) -> FloatArray:
-    """Unit normals, n_vertices x 3."""
-    return _core.vertex_normals(core_mesh(mesh))
