@@ -70,6 +70,14 @@ def _brief(value: Any) -> str:
     return repr(value)
 
 
+def html_table(caption: str, rows: list[tuple[str, str]]) -> str:
+    """Names and values, as notebooks show them."""
+    import html  # here, as few need it
+
+    cells = "".join(f"<tr><td>{html.escape(name)}</td><td>{html.escape(value)}</td></tr>" for name, value in rows)
+    return f"<table><caption>{html.escape(caption)}</caption>{cells}</table>"
+
+
 class Result:
     """Base of the results: small objects with named fields. Arrays show as their type and shape.
 
@@ -84,12 +92,7 @@ class Result:
 
     def _repr_html_(self) -> str:
         """A table, which notebooks show."""
-        import html  # here, as few need it
-
-        if not dataclasses.is_dataclass(self):
-            return f"<code>{html.escape(repr(self))}</code>"
-        rows = "".join(f"<tr><td>{name}</td><td>{html.escape(value)}</td></tr>" for name, value in self._shown())
-        return f"<table><caption>{type(self).__name__}</caption>{rows}</table>"
+        return html_table(type(self).__name__, self._shown() or [("", repr(self))])
 
     def _shown(self) -> list[tuple[str, str]]:
         """The fields and what is shown of each."""

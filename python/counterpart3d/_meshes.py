@@ -12,6 +12,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
+from ._calls import html_table
 from ._core import InvalidInput
 from ._other_packages import faces_of_other
 
@@ -212,14 +213,29 @@ class Mesh:
     def __iter__(self) -> Iterator[Any]:
         return iter((self._vertices, self._triangles))
 
+    def _repr_html_(self) -> str:
+        """A table, which notebooks show."""
+        rows = [("vertices", str(self.n_vertices)), ("triangles", str(self.n_triangles))]
+        known = np.delete(self._vertices, self.left_out, axis=0)
+        if len(known):
+            ends = zip("xyz", known.min(axis=0), known.max(axis=0), strict=True)
+            rows += [(axis, f"{low:.4g} to {high:.4g}") for axis, low, high in ends]
+        rows += [("holds", ", ".join(self._kinds()))] if self._kinds() else []
+        rows += [("values", ", ".join(self.values))] if self.values else []
+        return html_table("Mesh", rows + [("notice", notice) for notice in self.notices])
+
     def __repr__(self) -> str:
+        counts = [f"{self.n_vertices} vertices", f"{self.n_triangles} triangles"]
+        return f"Mesh({', '.join(counts + self._kinds())})"
+
+    def _kinds(self) -> list[str]:
+        """What it holds beside vertices and triangles."""
         kinds = [f"{len(self.polygons[0])} polygons"] if self.polygons else []
         kinds += ["normals"] if self.normals else []
         kinds += ["texture coordinates"] if self.texture_coordinates else []
         kinds += ["colors"] if self.colors else []
         kinds += ["skin"] if self.skin else []
-        kinds += [f"{len(self.morphs)} morph targets"] if self.morphs else []
-        return f"Mesh({', '.join([f'{self.n_vertices} vertices', f'{self.n_triangles} triangles', *kinds])})"
+        return kinds + ([f"{len(self.morphs)} morph targets"] if self.morphs else [])
 
 
 class _WithFaces(Protocol):  # trimesh

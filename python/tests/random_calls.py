@@ -9,8 +9,10 @@ the calls of each function ended, as JSON. The file that RANDOM_CALLS_LOG names,
 call that runs: for a sanitizer that ends the process.
 """
 
+import copy
 import json
 import os
+import pickle
 import sys
 import tempfile
 import threading
@@ -38,8 +40,20 @@ SEEDS = [
 ]
 
 
+def read_seeds():
+    with tempfile.TemporaryDirectory() as folder:
+        for number, seed in enumerate(SEEDS):
+            cp.write(seed, f"{folder}/{number}.ply")
+        return [cp.read(f"{folder}/{number}.ply") for number in range(len(SEEDS))]
+
+
+READ = read_seeds()
+
+
 def n_vertices(mesh):
     """Of what should be a mesh; 42 where it has none."""
+    if isinstance(mesh, cp.Mesh):
+        return mesh.n_vertices
     first = mesh[0] if isinstance(mesh, tuple) and mesh else None
     return len(first) if isinstance(first, np.ndarray) and first.ndim else 42
 
@@ -109,6 +123,8 @@ class Calls:
         if self.rarely() and triangles.size:
             triangles = triangles.astype(np.int64)
             triangles[self.random.integers(len(triangles)), self.random.integers(3)] = self.pick(*HUGE, 0, 1)
+        if self.chance(0.1):  # whose arrays belong to C++
+            return copy.deepcopy(self.pick(*READ))
         mesh = self.handed(vertices, FLOATS), self.handed(triangles, INTEGERS)
         return self.pick(None, 5, mesh[:1]) if self.rarely(0.01) else mesh
 
@@ -163,6 +179,12 @@ class Calls:
         a, b = self.mesh(), self.mesh()
         weld, shared = self.pick(None, 0, 0.1, odd=[-1, np.nan]), self.number(0.9, 0.5, 1)
         return cp.match(a, b, method, weld_distance=weld, min_shared=shared, n_threads=self.number(1, 2))
+
+    def call_match_prepared(self):
+        a, b = (cp.SpectralShape(self.pick(*SEEDS)) for _ in "ab")
+        a = self.pick(a, copy.deepcopy(a), pickle.loads(pickle.dumps(a)))
+        initial = self.map(a.mesh) if self.chance(0.5) else None
+        return cp.match(a, self.pick(b, self.mesh()), initial=initial, n_threads=self.number(1, 2))
 
     def call_match_exact(self):
         options = {"allow_mirror": self.pick(True, False), "max_alternatives": self.number(0, 3)}
@@ -256,6 +278,7 @@ class Calls:
     def call_transfer(self):
         a = self.mesh()
         source, target = cp.Mesh(*a, **self.attributes(a)), self.mesh()
+        source = self.pick(source, pickle.loads(pickle.dumps(source)))
         return cp.transfer(source, target, self.map(a), max_influences=self.number(0, 1, 4))
 
     def call_mesh_attributes(self):
@@ -345,7 +368,7 @@ class Calls:
 
 FUNCTIONS = [name for name in vars(Calls) if name.startswith("call_")]
 # Under a sanitizer these take many seconds.
-SELDOM = {"call_match_spectral", "call_match_partial"}
+SELDOM = {"call_match_spectral", "call_match_partial", "call_match_prepared"}
 
 
 def disturb(given, stop):

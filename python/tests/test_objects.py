@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes of other packages, by what they look like; the packages themselves where they are installed."""
 
+import re
 import subprocess
 from types import SimpleNamespace
 
@@ -172,6 +173,9 @@ def test_attributes(tmp_path):
         morphs={"smile": 0.1 * V},
     )
     assert repr(mesh) == "Mesh(42 vertices, 80 triangles, normals, texture coordinates, colors, skin, 1 morph targets)"
+    rows = dict(re.findall(r"<tr><td>(\w+)</td><td>(.*?)</td></tr>", mesh._repr_html_()))
+    assert rows["vertices"] == "42" and rows["holds"].endswith("skin, 1 morph targets")
+    assert rows["z"] == f"{mesh.vertices[:, 2].min():.4g} to {mesh.vertices[:, 2].max():.4g}"
     np.testing.assert_array_equal(mesh.texture_coordinates[0][0], uv)
     np.testing.assert_array_equal(mesh.morphs["smile"], 0.1 * V)
     target, truth = cp.shuffle(mesh)

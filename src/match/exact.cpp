@@ -74,7 +74,8 @@ bool is_one_to_one(const VertexMap& map, MeshView target) {
         if (taken[to_size(image)] != 0) return false;
         taken[to_size(image)] = 1;
     }
-    return std::all_of(target.triangles.reshaped().begin(), target.triangles.reshaped().end(),
+    const Index* const corners = target.triangles.data();
+    return std::all_of(corners, corners + target.triangles.size(),
                        [&](Index v) { return taken[to_size(v)] != 0; });
 }
 

@@ -62,7 +62,7 @@ class Chooser {
 
     /// The pair with its best automorphisms under its own alignment.
     std::vector<Images> automorphisms(const ComponentPair& pair, std::size_t count) {
-        return best_automorphisms(maps_, geometry_, traversal_, pair, by_mirror(*pair.kind), nullptr, count);
+        return best_automorphisms(maps_, geometry_, traversal_, pair, by_mirror(*pair.kind), {}, count);
     }
     const PairGeometry& geometry() const { return geometry_; }
     std::size_t order(const ComponentClass& kind) const { return group(kind).order(); }
@@ -122,7 +122,8 @@ class Chooser {
     void choose_automorphism(ComponentPair& pair, const Alignment* alignment) {
         const bool mirror = by_mirror(*pair.kind);
         if (order(*pair.kind) > 1) {
-            auto best = best_automorphisms(maps_, geometry_, traversal_, pair, mirror, alignment, 2);
+            auto best = best_automorphisms(maps_, geometry_, traversal_, pair, mirror,
+                                           {alignment, !anchors_.empty()}, 2);
             pair.automorphism = std::move(best[1]);
             pair.other_length_error = length_error(geometry_, pair);
             pair.automorphism = std::move(best[0]);

@@ -105,7 +105,7 @@ std::vector<Alignment> by_one_component(const MatchedMaps& maps, const PairGeome
     for (const Member& target : anchor->target) {
         ComponentPair pair{anchor, &anchor->source[0], &target, {}};
         if (((pair.source->parity ^ target.parity) != 0) != exchange) continue;
-        for (Images& images : best_automorphisms(maps, geometry, traversal, pair, mirror, nullptr, fewest)) {
+        for (Images& images : best_automorphisms(maps, geometry, traversal, pair, mirror, {}, fewest)) {
             pair.automorphism = std::move(images);
             alignments.push_back(
                 fit_alignment(geometry.points(pair, exact_tuning.anchor_triangles), reversed));

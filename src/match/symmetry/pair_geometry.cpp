@@ -89,12 +89,12 @@ namespace {
 class Ranking {
   public:
     Ranking(const MatchedMaps& maps, const PairGeometry& geometry, const ComponentPair& pair, bool reversed,
-            const Alignment* alignment)
+            const Frame& frame)
         : group_(maps.groups[to_size(pair.kind - maps.classes.data())]),
           geometry_(geometry),
           pair_(pair),
           reversed_(reversed),
-          alignment_(alignment),
+          frame_(frame),
           sample_(evenly_spread(pair.size(), std::clamp(exact_tuning.max_sampled_darts / group_.order(),
                                                         exact_tuning.min_sample, exact_tuning.max_sample))) {}
 
@@ -156,8 +156,8 @@ class Ranking {
     }
 
     void measure(const std::vector<PointPair>& points, Fit& fit) const {
-        fit.rigid_error =
-            squared_error(alignment_ != nullptr ? *alignment_ : fit_alignment(points, reversed_), points);
+        fit.rigid_error = squared_error(
+            frame_.alignment != nullptr ? *frame_.alignment : fit_alignment(points, reversed_), points);
         fit.offset = squared_error({}, points);
     }
 
@@ -168,8 +168,8 @@ class Ranking {
             return a.fit.edge_length_error < b.fit.edge_length_error;
         });
         if (candidates_.size() <= count) return;
-        const double limit =
-            (1 + exact_tuning.nearly) * candidates_.front().fit.edge_length_error + geometry_.tolerance();
+        const double ratio = frame_.is_around ? exact_tuning.clear : 1 + exact_tuning.nearly;
+        const double limit = ratio * candidates_.front().fit.edge_length_error + geometry_.tolerance();
         const auto by_lengths = candidates_.begin() + static_cast<std::ptrdiff_t>(count / 2);
         const auto alike = std::find_if(by_lengths, candidates_.end(), [&](const Candidate& candidate) {
             return candidate.fit.edge_length_error > limit;
@@ -188,19 +188,21 @@ class Ranking {
     }
 
     // Sorts; returns the end of those that tie with the best.
-    Candidates leaders(Candidates end, double Fit::*figure) {
+    Candidates leaders(Candidates end, double Fit::*figure, double ratio = 1 + exact_tuning.tie) {
         std::stable_sort(candidates_.begin(), end, [&](const Candidate& a, const Candidate& b) {
             return a.fit.*figure < b.fit.*figure;
         });
-        const double limit = geometry_.tie(candidates_.front().fit.*figure);
+        const double limit = ratio * (candidates_.front().fit.*figure) + geometry_.tolerance();
         return std::find_if(candidates_.begin(), end,
                             [&](const Candidate& c) { return c.fit.*figure > limit; });
     }
 
-    // Place is measured only where lengths do not decide: they always do on a mesh of irregular shape.
+    // Place is measured only where lengths do not decide: they always do on a mesh of irregular shape. What a
+    // bend does to lengths may favor a turn of a part that is nearly alike in itself.
     template <class MeasurePlace>
     void rank(const MeasurePlace& measure_place) {
-        const Candidates alike = leaders(candidates_.end(), &Fit::edge_length_error);
+        const Candidates alike = leaders(candidates_.end(), &Fit::edge_length_error,
+                                         frame_.is_around ? exact_tuning.clear : 1 + exact_tuning.tie);
         if (alike - candidates_.begin() < 2) return;
         std::for_each(candidates_.begin(), alike, measure_place);
         leaders(leaders(alike, &Fit::rigid_error), &Fit::offset);
@@ -210,7 +212,7 @@ class Ranking {
     const PairGeometry& geometry_;
     ComponentPair pair_;
     bool reversed_;
-    const Alignment* alignment_;
+    Frame frame_;
     std::vector<std::size_t> sample_;
     std::vector<Dart> images_;  // of the sampled triangles, one row for each element
     std::vector<Candidate> candidates_;
@@ -220,9 +222,9 @@ class Ranking {
 
 std::vector<Images> best_automorphisms(const MatchedMaps& maps, const PairGeometry& geometry,
                                        isomorphism::SimultaneousTraversal& traversal,
-                                       const ComponentPair& pair, bool reversed, const Alignment* alignment,
+                                       const ComponentPair& pair, bool reversed, const Frame& frame,
                                        std::size_t count) {
-    return Ranking(maps, geometry, pair, reversed, alignment).run(traversal, count);
+    return Ranking(maps, geometry, pair, reversed, frame).run(traversal, count);
 }
 
 }  // namespace counterpart::symmetry

@@ -85,12 +85,17 @@ class PairGeometry {
 /// At most `max` of 0 .. size - 1, evenly spread.
 std::vector<std::size_t> evenly_spread(std::size_t size, std::size_t max);
 
+/// What automorphisms are judged by beside lengths.
+struct Frame {
+    const Alignment* alignment = nullptr;  ///< the rigid error is taken after it; null: after the best one
+    bool is_around = false;  ///< it is that of what is around: then lengths decide only where they are clear
+};
+
 /// The automorphisms of the pair's representative (the orientation-reversing ones if `reversed`), best first
-/// as in PairGeometry::is_better, at most `count`. The rigid error is taken after `alignment`, or after the
-/// best one for the pair itself where that is null. `traversal`: of the source with itself.
+/// as in PairGeometry::is_better, at most `count`. `traversal`: of the source with itself.
 std::vector<Images> best_automorphisms(const MatchedMaps& maps, const PairGeometry& geometry,
                                        isomorphism::SimultaneousTraversal& traversal,
-                                       const ComponentPair& pair, bool reversed, const Alignment* alignment,
+                                       const ComponentPair& pair, bool reversed, const Frame& frame,
                                        std::size_t count);
 
 }  // namespace counterpart::symmetry
