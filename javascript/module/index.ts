@@ -11,8 +11,7 @@ export * from "./errors.js";
 export { Mesh } from "./mesh.js";
 export * from "./types.js";
 
-/** The library's bytes: those for one thread or, for a worker of a page that is `crossOriginIsolated`, for all. With threads
- * what the library throws arrives as a WebAssembly.Exception without its sentence (docs/browser.md). */
+/** The library's bytes: those for one thread or, for a worker of a page that shares memory between its threads, for all. */
 export function libraryAddress(hasThreads = false): URL {
   return hasThreads ? new URL("./library_threads.wasm", import.meta.url) : new URL("./library.wasm", import.meta.url);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 import type { Example } from "./counterpart.js";
 import { Canceled, errorOf, InvalidInput } from "./errors.js";
-import { compile } from "./index.js";
+import { compile, libraryAddress } from "./index.js";
 import type { Call, MeshMessage, Reply, Request } from "./messages.js";
 import type {
   Evaluation,
@@ -76,9 +76,20 @@ class Held implements RemoteMesh {
   }
 }
 
-/** Starts a worker that holds the library. `module`: from `compile`. */
+/** Whether threads can share memory here: only in a page that is isolated from others (`crossOriginIsolated`). */
+function canShareMemory(): boolean {
+  if (!globalThis.crossOriginIsolated) return false;
+  try {
+    // As much as the library may come to need: some devices refuse it.
+    return new WebAssembly.Memory({ initial: 1024, maximum: 65536, shared: true }).buffer.byteLength > 0;
+  } catch {
+    return false;
+  }
+}
+
+/** Starts a worker that holds the library, with threads where they can share memory. `module`: from `compile`. */
 export async function startWorker(module?: WebAssembly.Module): Promise<RemoteCounterpart> {
-  return new RemoteCounterpart(module ?? (await compile()));
+  return new RemoteCounterpart(module ?? (await compile(libraryAddress(canShareMemory()))));
 }
 
 /** The functions of Counterpart, run by a worker one after the other, so that the page stays alive. */

@@ -27,3 +27,11 @@ export function match(source, target, ...options) {
   run("match", source, target, "-o", "map.txt", ...options);
   return Int32Array.from(readFileSync(join(folder, "map.txt"), "utf8").trim().split("\n"), Number);
 }
+
+/** Processor seconds that the program takes. */
+export function cost(...given) {
+  const timed = 'TIMEFORMAT="%U %S"; time "$0" "$@"';
+  const { stderr } = spawnSync("bash", ["-c", timed, program, ...given, "-q"], { cwd: folder, encoding: "utf8" });
+  const [user, system] = stderr.trim().split("\n").at(-1).split(" ").map(Number);
+  return user + system;
+}

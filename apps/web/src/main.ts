@@ -4,6 +4,7 @@ import type { Example, MatchOptions, MatchResult, MeshObject, Message, Pair } fr
 import { Canceled } from "counterpart3d";
 import { type RemoteCounterpart, type RemoteMesh, startWorker } from "counterpart3d/worker";
 import { listenForFiles, type MeshFiles, meshesAmong, readFiles, save } from "./files";
+import { isolate } from "./isolation";
 import { offerObjects } from "./objects";
 import { showScene } from "./view";
 import { sizeOf, summaryOf, timeLeft } from "./words";
@@ -19,7 +20,8 @@ const isChecked = (id: string) => element<HTMLInputElement>(id).checked;
 
 /** Holds what was dropped and found, and keeps the page to it. */
 class Page {
-  private readonly library: Promise<RemoteCounterpart> = startWorker();
+  private isUsed = false;
+  private readonly library: Promise<RemoteCounterpart> = isolate(() => !this.isUsed).then(() => startWorker());
   private readonly files: Partial<Record<Side, MeshFiles>> = {};
   private readonly meshes: Partial<Record<Side, RemoteMesh>> = {};
   /** Those that the map was found with, and those that are picked now. */
@@ -54,6 +56,7 @@ class Page {
 
   /** Two meshes at once are source and target, wherever they are dropped. */
   private async take(side: Side, files: File[]): Promise<void> {
+    this.isUsed = true;
     element(`${side}-name`).textContent = "reading ...";
     const found = meshesAmong(files, (await (await this.library).extensions()).read);
     for (const [i, each] of (found.length > 1 ? sides : [side]).entries()) await this.read(each, found[i], "");
@@ -80,6 +83,7 @@ class Page {
   }
 
   private async takeExample(kind: Example): Promise<void> {
+    this.isUsed = true;
     this.running?.abort();
     this.clear();
     try {

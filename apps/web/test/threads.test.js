@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 // The package in a worker of a page: the same bytes with threads, without, and by the program.
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { folder, match } from "../../../javascript/test/native.js";
+import { folder, match, refusal } from "../../../javascript/test/native.js";
 import { makePairs, pairs } from "../../../javascript/test/pairs.js";
 import { write, folder as pages } from "./meshes.js";
 import { built, launch, serve } from "./site.js";
@@ -23,9 +25,9 @@ before(async () => {
     page.context().on("request", (request) => loaded.push(request.url()));
     await page.goto(`${address}pages/empty.html`);
     await page.evaluate(async () => {
-      const { compile, libraryAddress } = await import("/package/index.js");
-      const { startWorker } = await import("/package/remote.js");
-      window.counterpart = await startWorker(await compile(libraryAddress(window.crossOriginIsolated)));
+      window.counterpart = await (await import("/package/remote.js")).startWorker();
+      window.read = async (name) =>
+        window.counterpart.readMesh(name, new Uint8Array(await (await fetch(`/files/${name}`)).arrayBuffer()));
     });
     assert.equal(loaded.some((url) => url.endsWith("/library_threads.wasm")), headers === isolating);
     sides.push({ server, page });
@@ -40,9 +42,7 @@ after(async () => {
 function found(page, source, target, method) {
   return page.evaluate(
     async ([names, method]) => {
-      const read = async (name) =>
-        window.counterpart.readMesh(name, new Uint8Array(await (await fetch(`/files/${name}`)).arrayBuffer()));
-      const [a, b] = [await read(names[0]), await read(names[1])];
+      const [a, b] = [await window.read(names[0]), await window.read(names[1])];
       const told = [];
       const onProgress = (done) => void told.push(done);
       const { seconds, ...result } = await window.counterpart.match(a, b, { method, onProgress });
@@ -68,6 +68,63 @@ for (const [source, target, method] of pairs) {
     }
   });
 }
+
+// Refused where the spectral bases of both are computed, beside each other.
+const unsuitable = {
+  "flat.obj": "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 4 0 0\nf 1 2 3\nf 3 4 5\nf 2 3 4\n",
+  "few.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+};
+for (const [name, content] of Object.entries(unsuitable)) {
+  test(`what is thrown for ${name} on a thread is said with the program's sentence`, async () => {
+    writeFileSync(join(folder, name), content);
+    for (const pair of [["small.ply", name], [name, "small.ply"]]) {
+      for (const hears of [true, false]) {
+        for (const { page } of sides) {
+          const { error, message } = await page.evaluate(
+            async ([names, hears]) => {
+              const [a, b] = [await window.read(names[0]), await window.read(names[1])];
+              const options = { method: "spectral", ...(hears && { onProgress: () => {} }) };
+              return window.counterpart.match(a, b, options).catch(({ name, message }) => ({ error: name, message }));
+            },
+            [pair, hears],
+          );
+          assert.match(error, /^(InvalidInput|UnsuitableMesh)$/);
+          assert.ok(message.length > 20 && refusal("match", ...pair, "--method", "spectral", "-o", "map.txt").endsWith(message));
+        }
+      }
+    }
+  });
+}
+
+test("a broken file is refused with the program's sentence", async () => {
+  const content = "v 0 0 0\nv 1 0 zero\n";
+  writeFileSync(join(folder, "broken.obj"), content);
+  for (const { page } of sides) {
+    const message = await page.evaluate(
+      (content) => window.counterpart.readMesh("broken.obj", new TextEncoder().encode(content)).catch(({ message }) => message),
+      content,
+    );
+    assert.ok(refusal("inspect", "broken.obj").endsWith(message), message);
+  }
+});
+
+test("work whose progress is answered with no ends, and the next begins", async () => {
+  for (const { page } of sides) {
+    const outcome = await page.workers()[0].evaluate(async () => {
+      const { compile, libraryAddress, load } = await import("/package/index.js");
+      const counterpart = await load(await compile(libraryAddress(self.crossOriginIsolated)));
+      const [a, b] = counterpart.example("remeshed");
+      let error;
+      try {
+        counterpart.match(a, b, { onProgress: (done) => done < 0.1 });
+      } catch ({ name }) {
+        error = name;
+      }
+      return [error, counterpart.match(a, b, { method: "nearest" }).method];
+    });
+    assert.deepEqual(outcome, ["Canceled", "nearest"]);
+  }
+});
 
 test("threads that work are stopped with their worker, and others begin", async () => {
   const { page } = sides[0];

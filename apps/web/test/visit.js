@@ -3,7 +3,6 @@
 // What a person does on the page.
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync } from "node:fs";
-import { availableParallelism, loadavg } from "node:os";
 import { join } from "node:path";
 import { after, before } from "node:test";
 import { folder } from "./meshes.js";
@@ -27,7 +26,8 @@ export function visits() {
   return (options) => visit(open.browser, `${open.site.address}project/`, options);
 }
 
-/** Opens the page. Its `end` checks that it asked for nothing from elsewhere and that nothing went wrong unsaid. */
+/** Opens the page, with threads unless `serviceWorkers` is "block". Its `end` checks that it asked for nothing from elsewhere and
+ * that nothing went wrong unsaid. */
 async function visit(browser, address, options = {}) {
   const tab = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const page = await tab.newPage();
@@ -41,9 +41,12 @@ async function visit(browser, address, options = {}) {
   tab.on("request", (request) => requests.push(request.url()));
   const start = performance.now();
   await page.goto(address, { waitUntil: "domcontentloaded" });
+  if (options.serviceWorkers !== "block")
+    await page.waitForFunction(() => window.crossOriginIsolated && document.readyState !== "loading");
   const milliseconds = performance.now() - start;
   const end = async (expected = []) => {
-    assert.deepEqual(complaints.filter((said) => !expected.some((pattern) => pattern.test(said))), []);
+    const known = [/Service Worker registration blocked by Playwright/, ...expected];
+    assert.deepEqual(complaints.filter((said) => !known.some((pattern) => pattern.test(said))), []);
     assert.deepEqual(requests.filter((url) => !url.startsWith(address) && !/^(data|blob):/.test(url)), []);
     await tab.close();
   };
@@ -86,12 +89,4 @@ export async function secondsOf(page) {
 export async function saved(page, id) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#${id}`)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
-
-/** A limit on time is not judged where others keep the machine busy. */
-export function within(context, what, value, limit) {
-  const busy = loadavg()[0] / availableParallelism();
-  context.diagnostic(`${what}: ${value.toFixed(2)}, at most ${limit.toFixed(2)}`);
-  if (value > limit && busy > 1.5) context.diagnostic(`not judged: ${busy.toFixed(1)} others wait for each core`);
-  else assert.ok(value <= limit, what);
 }
