@@ -36,18 +36,22 @@ inline bool can_start() {
 #endif
 }
 
-/// How many threads a loop that starts on this thread may use.
-inline thread_local int allowed = can_start() ? std::max(2, platform::n_processors()) : 1;
+/// What with_threads() has set on this thread; 0: nothing.
+inline constinit thread_local int set_number = 0;
 
-inline int n_allowed() { return allowed; }
+/// How many threads a loop that starts on this thread may use.
+inline int n_allowed() {
+    static const int all = can_start() ? std::max(2, platform::n_processors()) : 1;
+    return set_number > 0 ? set_number : all;
+}
 
 template <class Work>
 auto with_threads(int n_threads, const Work& work) {
     struct Restored {
-        int before = allowed;
-        ~Restored() { allowed = before; }
+        int before = set_number;
+        ~Restored() { set_number = before; }
     } const restored;
-    if (n_threads > 0 && can_start()) allowed = n_threads;
+    if (n_threads > 0 && can_start()) set_number = n_threads;
     return work();
 }
 
@@ -137,7 +141,7 @@ class Helpers {
 template <class Work>
 auto start(const Work& work) {
     const auto task = std::make_shared<std::packaged_task<decltype(work())()>>(
-        [work, share = allowed] { return plain_threads::with_threads(share, work); });
+        [work, share = n_allowed()] { return plain_threads::with_threads(share, work); });
     auto result = task->get_future();
     Helpers::all().start([task] { (*task)(); });
     return result;
@@ -148,6 +152,7 @@ auto start(const Work& work) {
 template <class Run>
 void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
     if (count == 0) return;
+    const int allowed = n_allowed();
     if (allowed == 1) return run(std::size_t{0}, count);
     // Several for each thread, as some take longer than others.
     const std::size_t piece =
