@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What parallel.hpp needs, by threads of the standard library: for WebAssembly, and for the thread sanitizer,
-// which takes every hand-over inside an uninstrumented TBB for a race. Simple enough to be seen right.
+// What parallel.hpp needs, by threads of the standard library: for what needs no other library (wheels,
+// Windows, WebAssembly), and for the thread sanitizer, which takes every hand-over inside an uninstrumented
+// TBB for a race. Simple enough to be seen right.
 #pragma once
 
 #include "platform/process.hpp"
@@ -19,7 +20,6 @@
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten/threading.h>
@@ -55,23 +55,19 @@ auto with_threads(int n_threads, const Work& work) {
     return work();
 }
 
-/// Threads that wait for work. They are kept: a page starts none while its code runs.
+/// Threads that wait for work. They are kept until the process ends: a page starts none while its code runs.
 class Helpers {
   public:
+    /// Those of this process. One that was forked has none of its parent's threads, and what it inherited may
+    /// be locked for ever: it begins anew.
     static Helpers& all() {
-        static Helpers helpers;
-        return helpers;
-    }
-    Helpers() = default;
-    Helpers(const Helpers&) = delete;
-    Helpers& operator=(const Helpers&) = delete;
-    ~Helpers() {
-        {
-            const std::lock_guard lock(mutex_);
-            ending_ = true;
+        static std::atomic<Helpers*> current = nullptr;
+        Helpers* helpers = current;
+        while (helpers == nullptr || helpers->process_ != platform::process_number()) {
+            auto fresh = std::make_unique<Helpers>();
+            if (current.compare_exchange_strong(helpers, fresh.get())) helpers = fresh.release();
         }
-        changed_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
+        return *helpers;
     }
 
     /// work() on this thread and on up to `n_others` more, each when it is free; returns once all are done.
@@ -101,8 +97,7 @@ class Helpers {
             const std::lock_guard lock(mutex_);
             jobs_.push_back(job);
             n_needed_ += job->n_wanted;
-            while (threads_.size() < static_cast<std::size_t>(n_needed_))
-                threads_.emplace_back([this] { serve(); });
+            for (; n_threads_ < n_needed_; ++n_threads_) std::thread([this] { serve(); }).detach();
         }
         changed_.notify_all();
     }
@@ -115,8 +110,7 @@ class Helpers {
     void serve() {
         std::unique_lock lock(mutex_);
         while (true) {
-            changed_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
-            if (ending_) return;
+            changed_.wait(lock, [&] { return !jobs_.empty(); });
             const std::shared_ptr<Job> job = jobs_.back();  // the innermost, for which others wait
             ++job->n_running;
             if (--job->n_wanted == 0) jobs_.pop_back();
@@ -132,9 +126,9 @@ class Helpers {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::list<std::shared_ptr<Job>> jobs_;
-    std::vector<std::thread> threads_;
+    int n_threads_ = 0;
     int n_needed_ = 0;  // threads that work or are wanted
-    bool ending_ = false;
+    const long process_ = platform::process_number();
 };
 
 /// work() on another thread, with as many threads as it could use on this one.
