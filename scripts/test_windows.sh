@@ -4,12 +4,14 @@
 #
 # Tests under Wine what scripts/windows.sh has built: match, reorder, view and render; standard output; what cannot be
 # written; writers that are killed (tests/cli/killed.sh). What does not depend on the C library's sine is the same as what
-# the program of this machine makes (COUNTERPART, or build/release/counterpart).
+# the program of this machine makes (COUNTERPART, or build/release/counterpart). COUNTERPART_EXE names another program for
+# Windows, e.g. that of a wheel.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+exe=${COUNTERPART_EXE:-$PWD/build/windows/counterpart.exe}
 here=${COUNTERPART:-$PWD/build/release/counterpart}
 folder=$(mktemp -d)
-export WINEPREFIX=$folder/wine WINEDEBUG=-all
+export WINEPREFIX=$folder/wine WINEDEBUG=-all LC_ALL=C.UTF-8  # how Wine takes the names of files
 wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 server=$(command -v wineserver || echo /usr/lib/wine/wineserver)
 trap '"$server" -k; rm -rf "$folder"' EXIT
@@ -20,7 +22,7 @@ fail() {
 
 # The program by a name that works here; it takes the place of the shell, so that killing this kills it.
 program=$folder/counterpart
-printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$PWD/build/windows/counterpart.exe" > "$program"
+printf '#!/bin/sh\nexec "%s" "%s" "$@"\n' "$wine" "$exe" > "$program"
 chmod +x "$program"
 "$program" --version | grep -qE '^[0-9.]+$' || fail "--version"  # which also makes Wine's folder
 
@@ -51,6 +53,15 @@ cmp one.txt two.txt || fail "match: the result depends on the number of threads"
 "$program" match a.obj b.obj -o - -q > piped.txt
 cmp piped.txt truth.txt || fail "standard output: other bytes"
 
+# Names in every script: read, written, in reports and in messages.
+mkdir "für 足"
+cp a.obj "für 足/Füße.obj"
+"$program" match "für 足/Füße.obj" b.obj -o "für 足/Größe.txt" --report "für 足/ü.json" -q
+cmp "für 足/Größe.txt" truth.txt || fail "names that are not ASCII: another map"
+python3 -c "import json; assert json.load(open('für 足/ü.json'))['source'] == 'für 足/Füße.obj'"
+! "$program" inspect "Äpfel.obj" > said 2>&1 || fail "a file that is not there"
+grep -q "Äpfel.obj" said || fail "names that are not ASCII: $(cat said)"
+
 # Refused before the work.
 ! "$program" match a.obj b.obj -o none/map.txt -q 2> said || fail "a folder that is not there"
 grep -q "there is no folder none; create it first" said || fail "a folder that is not there: $(cat said)"
@@ -61,4 +72,4 @@ grep -q "is read-only" said || fail "a file that is read-only: $(cat said)"
 
 cd "$OLDPWD"
 tests/cli/killed.sh "$program" "${1:-12}"
-echo "counterpart.exe: $(du -h --apparent-size build/windows/counterpart.exe | cut -f 1), all passed"
+echo "counterpart.exe: $(du -h --apparent-size "$exe" | cut -f 1), all passed"

@@ -127,7 +127,7 @@ Fit aligned(const AlignCommand& command) {
 void run(const AlignCommand& command) {
     const Fit fit = aligned(command);
     say(command.common, fmt::format("{} fit, RMS distance {:.6g} -> {}{}", command.model, fit.rms,
-                                    command.output.string(), caution(fit.match)));
+                                    utf8_name(command.output), caution(fit.match)));
     Json matrix = Json::array();
     for (int i = 0; i < 3; ++i) {
         const Eigen::RowVector3d row = fit.transform.linear.row(i);

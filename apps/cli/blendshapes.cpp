@@ -42,13 +42,13 @@ void warn_of_another_place(const BlendshapesCommand& command, const TriangleMesh
         warn(fmt::format(
             "{}: its vertices are {:.0f} % of the base's size away on average, in another place or "
             "scale: first lay it on the base with 'counterpart align {} {} --model similarity'",
-            file.string(), 100 * mean / size, file.string(), command.base.string()));
+            utf8_name(file), 100 * mean / size, utf8_name(file), utf8_name(command.base)));
 }
 
 void run(const BlendshapesCommand& command) {
     if (!is_gltf(command.output))
         throw InvalidInput(
-            fmt::format("{}: blend shapes can be written only to .glb or .gltf", command.output.string()));
+            fmt::format("{}: blend shapes can be written only to .glb or .gltf", utf8_name(command.output)));
     Stopwatch watch;
     AttributedMesh base = load_attributed_mesh(command.base, command.common);
     if (!command.keep) base.morphs.clear();
@@ -60,7 +60,7 @@ void run(const BlendshapesCommand& command) {
             surface_map_or_match({}, {base.mesh, shape, command.base, file}, command.common);
         const LastPose pose = last_pose(base.mesh, shape, found.map);
         const Points moved = pose.vertices - base.mesh.vertices;
-        const std::string name = unused_name(path.stem().string(), base.morphs);
+        const std::string name = unused_name(utf8_name(path.stem()), base.morphs);
         base.morphs.push_back({name, moved});
         const double largest = moved.rowwise().norm().maxCoeff();
         say(command.common,
@@ -70,7 +70,7 @@ void run(const BlendshapesCommand& command) {
                             : "",
                         caution(found.report)));
         Json entry = {{"name", name},
-                      {"file", file.string()},
+                      {"file", utf8_name(file)},
                       {"largest_displacement", largest},
                       {"following_vertices", pose.n_followers}};
         entry.update(found.report);
@@ -80,11 +80,11 @@ void run(const BlendshapesCommand& command) {
     watch.lap("shapes");
     write_attributed_mesh(base, command.output);
     watch.lap("write");
-    say(command.common,
-        fmt::format("{} vertices, {} -> {}", base.mesh.n_vertices(),
-                    counted(static_cast<Index>(base.morphs.size()), "blend shape"), command.output.string()));
+    say(command.common, fmt::format("{} vertices, {} -> {}", base.mesh.n_vertices(),
+                                    counted(static_cast<Index>(base.morphs.size()), "blend shape"),
+                                    utf8_name(command.output)));
     write_report({{"command", "blendshapes"},
-                  {"base", command.base.string()},
+                  {"base", utf8_name(command.base)},
                   {"shapes", shapes},
                   {"seconds", to_json(watch.stages())}},
                  command.common);

@@ -118,13 +118,13 @@ void warn(const std::string& message) { std::fputs(("warning: " + message + "\n"
 
 TriangleMesh load_mesh(const MeshInput& mesh, const CommonOptions& options) {
     MeshFile loaded = read_mesh(mesh, reading(mesh, options));
-    for (const std::string& notice : loaded.notices) say(options, mesh.string() + ": " + notice);
+    for (const std::string& notice : loaded.notices) say(options, utf8_name(mesh) + ": " + notice);
     return std::move(loaded.mesh);
 }
 
 AttributedMesh load_attributed_mesh(const MeshInput& mesh, const CommonOptions& options) {
     AttributedMeshFile loaded = read_attributed_mesh(mesh, reading(mesh, options));
-    for (const std::string& notice : loaded.notices) say(options, mesh.string() + ": " + notice);
+    for (const std::string& notice : loaded.notices) say(options, utf8_name(mesh) + ": " + notice);
     return std::move(loaded.content);
 }
 
@@ -137,7 +137,7 @@ std::optional<TetrahedralMesh> load_solid(const MeshInput& mesh, const CommonOpt
     if (mesh.object && *mesh.object != "0") return std::nullopt;  // load_mesh refuses any other
     std::optional<TetrahedralMeshFile> loaded = read_tetrahedral_mesh(mesh);
     if (!loaded) return std::nullopt;
-    for (const std::string& notice : loaded->notices) say(options, mesh.string() + ": " + notice);
+    for (const std::string& notice : loaded->notices) say(options, utf8_name(mesh) + ": " + notice);
     return std::move(loaded->mesh);
 }
 

@@ -26,10 +26,10 @@ struct ConvertCommand {
 void write_solid(const TetrahedralMesh& mesh, const ConvertCommand& command) {
     write_tetrahedral_mesh(mesh, command.output);
     say(command.common, fmt::format("{} vertices, {} tetrahedra -> {}", mesh.n_vertices(),
-                                    mesh.n_tetrahedra(), command.output.string()));
+                                    mesh.n_tetrahedra(), utf8_name(command.output)));
     write_report({{"command", "convert"},
-                  {"input", command.input.string()},
-                  {"output", command.output.string()},
+                  {"input", utf8_name(command.input)},
+                  {"output", utf8_name(command.output)},
                   {"vertices", mesh.n_vertices()},
                   {"tetrahedra", mesh.n_tetrahedra()}},
                  command.common);
@@ -58,10 +58,10 @@ void run(const ConvertCommand& command) {
     if (!content.part_names.empty()) carry_material_files(command.input, command.output);
     const TriangleMesh& mesh = content.mesh;
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
-                                    command.output.string()));
+                                    utf8_name(command.output)));
     write_report({{"command", "convert"},
-                  {"input", command.input.string()},
-                  {"output", command.output.string()},
+                  {"input", utf8_name(command.input)},
+                  {"output", utf8_name(command.output)},
                   {"vertices", mesh.n_vertices()},
                   {"triangles", mesh.n_triangles()}},
                  command.common);

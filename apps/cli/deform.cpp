@@ -133,10 +133,10 @@ void run(const DeformCommand& command) {
         write_vertex_map({std::move(derived.mesh_from_input), mesh.n_vertices()}, command.truth);
     write_mesh(mesh, command.output);
     say(command.common, fmt::format("{} vertices, {} triangles -> {}", mesh.n_vertices(), mesh.n_triangles(),
-                                    command.output.string()));
+                                    utf8_name(command.output)));
     write_report({{"command", "deform"},
-                  {"input", command.input.string()},
-                  {"output", command.output.string()},
+                  {"input", utf8_name(command.input)},
+                  {"output", utf8_name(command.output)},
                   {"vertices", mesh.n_vertices()},
                   {"triangles", mesh.n_triangles()},
                   {"bend_degrees", command.bend_degrees},

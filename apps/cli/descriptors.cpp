@@ -34,9 +34,9 @@ void run(const DescriptorsCommand& command) {
     const Matrix descriptors = compute(command, mesh);
     write_npy(descriptors, command.output);
     say(command.common, fmt::format("{}: {} vertices x {} -> {}", command.kind, descriptors.rows(),
-                                    descriptors.cols(), command.output.string()));
+                                    descriptors.cols(), utf8_name(command.output)));
     write_report({{"command", "descriptors"},
-                  {"mesh", command.mesh.string()},
+                  {"mesh", utf8_name(command.mesh)},
                   {"kind", command.kind},
                   {"rows", descriptors.rows()},
                   {"columns", descriptors.cols()}},

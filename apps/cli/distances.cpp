@@ -63,13 +63,14 @@ void run(const DistancesCommand& command) {
     const TriangleMesh mesh = load_mesh(command.mesh, command.common);
     require_memory(command, mesh.n_vertices());
     watch.lap("read");
-    Json json = {{"command", "distances"}, {"mesh", command.mesh.string()}, {"vertices", mesh.n_vertices()}};
+    Json json = {
+        {"command", "distances"}, {"mesh", utf8_name(command.mesh)}, {"vertices", mesh.n_vertices()}};
     const Matrix distances = compute(command, mesh, json);
     watch.lap("distances");
     write_npy(distances, command.output);
     watch.lap("write");
     say(command.common, fmt::format("{} x {} distances in {:.2f} s -> {}", distances.rows(), distances.cols(),
-                                    watch.stages()[1].seconds, command.output.string()));
+                                    watch.stages()[1].seconds, utf8_name(command.output)));
     json["rows"] = distances.rows();
     json["columns"] = distances.cols();
     json["seconds"] = to_json(watch.stages());

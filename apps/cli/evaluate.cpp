@@ -142,9 +142,9 @@ void run(EvaluateCommand& command) {
     const MapQuality quality = map_quality(map.vertices, source, target);
     std::string text = describe(quality, source, target);
     Json json = {{"command", "evaluate"},
-                 {"source", command.source.string()},
-                 {"target", command.target.string()},
-                 {"map", command.map.string()},
+                 {"source", utf8_name(command.source)},
+                 {"target", utf8_name(command.target)},
+                 {"map", utf8_name(command.map)},
                  {"source_vertices", source.n_vertices()},
                  {"target_vertices", target.n_vertices()},
                  {"quality", json_of(quality)}};

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "files.hpp"
 
-#include "platform/files.hpp"
-
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -77,13 +75,13 @@ void require_fitting_ending(const FileArgument& argument, const fs::path& file) 
         const std::string ending = lower_extension(file);
         if (std::find(endings.fitting.begin(), endings.fitting.end(), ending) != endings.fitting.end())
             return;
-        throw InvalidInput(fmt::format("{} {}: the name of {} must end in {}", argument.option, file.string(),
-                                       endings.what, fmt::join(endings.fitting, ", ")));
+        throw InvalidInput(fmt::format("{} {}: the name of {} must end in {}", argument.option,
+                                       utf8_name(file), endings.what, fmt::join(endings.fitting, ", ")));
     }
     if (fills_folder(*argument.written) || *argument.written == Content::prefix) return;
     if (const std::string other = other_content(file, *argument.written); !other.empty())
         throw InvalidInput(fmt::format("{} {}: this is to be {}, but the ending is that of {}",
-                                       argument.option, file.string(), endings.what, other));
+                                       argument.option, utf8_name(file), endings.what, other));
 }
 
 bool is_regular_or_new(const fs::path& file) {
@@ -105,7 +103,7 @@ fs::path folder_of(const fs::path& file) {
 
 void require_writable(const FileArgument& argument, const fs::path& file) {
     const auto refuse = [&](const std::string& reason) {
-        throw WriteError(fmt::format("{} {}: {}", argument.option, file.string(), reason));
+        throw WriteError(fmt::format("{} {}: {}", argument.option, utf8_name(file), reason));
     };
     if (platform::is_nameless_output(file)) return;
     std::error_code ignored;
@@ -126,8 +124,8 @@ void require_writable(const FileArgument& argument, const fs::path& file) {
     if (fills_folder(*argument.written))
         while (!fs::exists(folder, ignored) && folder != folder_of(folder)) folder = folder_of(folder);
     if (!fs::exists(folder, ignored))
-        refuse(fmt::format("there is no folder {}; create it first", folder.string()));
-    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", folder.string()));
+        refuse(fmt::format("there is no folder {}; create it first", utf8_name(folder)));
+    if (!fs::is_directory(folder, ignored)) refuse(fmt::format("{} is not a folder", utf8_name(folder)));
     // A file that is there is replaced by one made beside it, or beside what it links to.
     if (exists && !is_folder) folder = folder_of(fs::canonical(file, ignored));
     if (const int error = platform::error_of_making_files(folder); error != 0)
@@ -149,9 +147,9 @@ void require_distinct(const FileArguments& files, std::size_t written, const fs:
             if (other->empty() || !is_same_file(*other, output)) continue;
             if (!files[i].written)
                 throw InvalidInput(fmt::format("{} {} would replace {}, which is read; write to another file",
-                                               files[written].option, output.string(), files[i].option));
+                                               files[written].option, utf8_name(output), files[i].option));
             throw InvalidInput(fmt::format("{} and {} both name {}; give each a file of its own",
-                                           files[i].option, files[written].option, output.string()));
+                                           files[i].option, files[written].option, utf8_name(output)));
         }
     }
 }
@@ -162,28 +160,37 @@ std::string name_of(const std::string& names) {  // the last: "-o,--output" is -
 
 }  // namespace
 
+CLI::Option* add_path(CLI::App& command, const std::string& name, fs::path& path, const std::string& help) {
+    const auto set = [&path](const std::string& word) { path = platform::path_of(word); };
+    return command.add_option_function<std::string>(name, set, help);
+}
+
 CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,
                        const std::string& help) {
     files.push_back({name_of(name), &file, nullptr, {}});
-    CLI::Option* option = command.add_option(name, file, help);
+    CLI::Option* option = add_path(command, name, file, help);
     return name[0] == '-' ? option->type_name("FILE") : option;
 }
 
 CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name,
                        std::vector<fs::path>& several, const std::string& help) {
     files.push_back({name_of(name), nullptr, &several, {}});
-    CLI::Option* option = command.add_option(name, several, help);
+    const auto set = [&several](const std::vector<std::string>& words) {
+        several.clear();
+        for (const std::string& word : words) several.push_back(platform::path_of(word));
+    };
+    CLI::Option* option = command.add_option_function<std::vector<std::string>>(name, set, help);
     return name[0] == '-' ? option->type_name("FILE") : option;
 }
 
 std::string MeshInput::words() const {
-    return object ? fmt::format("{}, object '{}'", file.string(), *object) : file.string();
+    return object ? fmt::format("{}, object '{}'", utf8_name(file), *object) : utf8_name(file);
 }
 
 CLI::Option* add_mesh(CLI::App& command, FileArguments& files, const std::string& name,
                       const std::string& object, MeshInput& mesh, const std::string& help) {
     files.push_back({name_of(name), &mesh.file, nullptr, {}, &mesh, object});
-    CLI::Option* option = command.add_option(name, mesh.file, help);
+    CLI::Option* option = add_path(command, name, mesh.file, help);
     command
         .add_option_function<std::string>(
             object, [&mesh](const std::string& chosen) { mesh.object = chosen; },
@@ -195,7 +202,7 @@ CLI::Option* add_mesh(CLI::App& command, FileArguments& files, const std::string
 CLI::Option* add_output(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,
                         Content content, const std::string& help) {
     files.push_back({name_of(name), &file, nullptr, content});
-    return command.add_option(name, file, help)->type_name("FILE");
+    return add_path(command, name, file, help)->type_name("FILE");
 }
 
 void check_files(const FileArguments& files) {

@@ -4,6 +4,8 @@
 // The files of a command: declared with its options, checked before its work begins.
 #pragma once
 
+#include "platform/files.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -12,6 +14,8 @@
 #include <CLI/CLI.hpp>
 
 namespace counterpart::cli {
+
+using platform::utf8_name;
 
 /// What an output file holds, which decides the endings that fit.
 enum class Content { mesh, map, matrix, landmarks, page, picture, table, report, frames, prefix, folder };
@@ -22,7 +26,6 @@ struct MeshInput {
     std::optional<std::string> object{};
 
     operator const std::filesystem::path&() const { return file; }
-    std::string string() const { return file.string(); }
     /// "scene.obj" or "scene.obj, object 'arm'".
     std::string words() const;
 };
@@ -38,6 +41,9 @@ struct FileArgument {
 };
 using FileArguments = std::vector<FileArgument>;
 
+/// An option or positional that is the name of a file, on every system in UTF-8.
+CLI::Option* add_path(CLI::App& command, const std::string& name, std::filesystem::path& path,
+                      const std::string& help);
 /// An option for a file that is read.
 CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name,
                        std::filesystem::path& file, const std::string& help);

@@ -106,14 +106,14 @@ void run(const FitCommand& command) {
         warn(fmt::format(
             "{:.1f} % of {} lies bare, farther than 2 % of the diagonal from the fit: the template "
             "lacks that part, or the map leaves it out (landmarks there help)",
-            bare, command.scan.string()));
+            bare, utf8_name(command.scan)));
     if (command.color) say(command.common, fmt::format("colors: pale 0 to dark {:.3g} mesh units", largest));
     say(command.common,
         fmt::format("fitted {} vertices in {:.2f} s -> {}{}", model.mesh.n_vertices(),
-                    watch.stages()[2].seconds, command.output.string(), caution(found.report)));
+                    watch.stages()[2].seconds, utf8_name(command.output), caution(found.report)));
     Json report = {{"command", "fit"},
-                   {"template", command.model.string()},
-                   {"scan", command.scan.string()},
+                   {"template", utf8_name(command.model)},
+                   {"scan", utf8_name(command.scan)},
                    {"vertices", model.mesh.n_vertices()}};
     report.update(found.report);
     report.update(report_of(fit, scan_areas));

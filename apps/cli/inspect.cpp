@@ -201,7 +201,7 @@ void run(const InspectCommand& command) {
     const MeshReport report = analyze(mesh);
     const std::vector<MeshObject> objects = mesh_objects(content);
     std::string text = describe(report, command.n_components) + describe(objects) + describe(content);
-    Json json = {{"command", "inspect"}, {"mesh", command.mesh.string()}};
+    Json json = {{"command", "inspect"}, {"mesh", utf8_name(command.mesh)}};
     json.update(mesh_json(report));
     json["attributes"] = attributes_json(content);
     json["objects"] = objects_json(objects);

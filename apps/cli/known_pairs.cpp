@@ -14,7 +14,7 @@ Landmarks KnownPairsFiles::read(MeshView source, MeshView target_mesh) const {
     if (pairs.empty()) return {};
     if (!target.empty())
         return landmark_pairs(read_landmark_points(pairs), source, read_landmark_points(target), target_mesh);
-    const std::string name = pairs.filename().string();
+    const std::string name = utf8_name(pairs.filename());
     for (const char* ending : {".json", ".fcsv", ".csv"})
         if (name.ends_with(ending))
             throw InvalidInput(fmt::format(
@@ -25,18 +25,15 @@ Landmarks KnownPairsFiles::read(MeshView source, MeshView target_mesh) const {
 void add_known_pairs(CLI::App& command, KnownPairsFiles& known, const std::string& purpose,
                      const std::string& group) {
     CLI::Option* pairs =
-        command
-            .add_option("--landmarks", known.pairs,
-                        purpose +
-                            ". One pair per line: two 0-based vertices or two points (6 coordinates); "
-                            "or, with --target-landmarks, the source's points")
+        add_path(command, "--landmarks", known.pairs,
+                 purpose +
+                     ". One pair per line: two 0-based vertices or two points (6 coordinates); "
+                     "or, with --target-landmarks, the source's points")
             ->type_name("FILE")
             ->group(group);
-    command
-        .add_option(
-            "--target-landmarks", known.target,
-            "The target's points: those of --landmarks with the same names correspond. Both .mrk.json or "
-            ".fcsv of 3D Slicer, .json of scalismo, or .csv (name, x, y, z)")
+    add_path(command, "--target-landmarks", known.target,
+             "The target's points: those of --landmarks with the same names correspond. Both .mrk.json or "
+             ".fcsv of 3D Slicer, .json of scalismo, or .csv (name, x, y, z)")
         ->type_name("FILE")
         ->needs(pairs)
         ->group(group);

@@ -50,7 +50,7 @@ void run(const LandmarksCommand& command) {
     write_landmark_points(points, command.output);
     say(command.common,
         fmt::format("{} of {} landmarks -> {}{}", points.landmarks.size(),
-                    points.landmarks.size() + lost.size(), command.output.string(), caution(found.report)));
+                    points.landmarks.size() + lost.size(), utf8_name(command.output), caution(found.report)));
     Json report = {{"command", "landmarks"}, {"carried", points.landmarks.size()}, {"lost", lost}};
     report.update(found.report);
     write_report(report, command.common);

@@ -60,7 +60,7 @@ LoadedMap load_map(const std::filesystem::path& file, const MeshPair& pair) {
         }
         return {{std::get<VertexMap>(map).image(), pair.target.n_vertices()}, std::nullopt};
     } catch (const InvalidInput& error) {
-        throw IoError(fmt::format("{}: {}", file.string(), error.what()));
+        throw IoError(fmt::format("{}: {}", utf8_name(file), error.what()));
     }
 }
 

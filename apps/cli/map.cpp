@@ -39,7 +39,7 @@ MeshPair pair_of(const MapCommand& command, const TriangleMesh& source, const Tr
 
 void done(const MapCommand& command, const std::string& what, Index n_matched, Index n) {
     say(command.common, fmt::format("{}: {} of {} source vertices are matched -> {}", what, n_matched, n,
-                                    command.output.string()));
+                                    utf8_name(command.output)));
     write_report({{"command", "map"}, {"operation", what}, {"matched_vertices", n_matched}, {"vertices", n}},
                  command.common);
 }
@@ -53,14 +53,14 @@ void compose(const MapCommand& command) {
         const Index size = std::visit([](const auto& map) { return map.source_size(); }, next);
         if (all.target_size() > size)
             throw InvalidInput(fmt::format("{}: has {} entries, but the map before it goes to vertex {}",
-                                           file.string(), size, all.target_size() - 1));
+                                           utf8_name(file), size, all.target_size() - 1));
         const VertexMap step(all.image(), size);
         if (const auto* points = std::get_if<SurfaceMap>(&next)) {
             if (i + 1 < command.chain.size())
                 throw InvalidInput(
                     fmt::format("{}: a surface map can only be the last of the maps; make it a vertex map "
                                 "with 'map convert --to vertex'",
-                                file.string()));
+                                utf8_name(file)));
             SurfaceMap result{{}, points->target_triangles};
             for (Index v = 0; v < step.source_size(); ++v)
                 result.image.push_back(step[v] == VertexMap::unmatched ? SurfacePoint{} : (*points)[step[v]]);
@@ -116,14 +116,14 @@ void subsample(const MapCommand& command) {
     }
     write_file(text, command.output);
     say(command.common,
-        fmt::format("{} landmarks, spread over the source -> {}", n, command.output.string()));
+        fmt::format("{} landmarks, spread over the source -> {}", n, utf8_name(command.output)));
 }
 
 VertexMap from_functional(const MapCommand& command, const EigenBasis& source, const EigenBasis& target) {
     const Matrix c = read_npy(command.map);
     if (c.rows() > source.size() || c.cols() > target.size())
         throw InvalidInput(
-            fmt::format("{}: {} x {} is larger than the bases", command.map.string(), c.rows(), c.cols()));
+            fmt::format("{}: {} x {} is larger than the bases", utf8_name(command.map), c.rows(), c.cols()));
     return vertex_map(c, source, target);
 }
 
@@ -132,7 +132,7 @@ void require_kind(const MapCommand& command, const LoadedMap& map) {
     const std::string kind = map.points ? "surface" : "vertex";
     if (command.from != "map" && command.from != kind)
         throw InvalidInput(fmt::format("{}: is a {} map: give --from {}, or leave --from out",
-                                       command.map.string(), kind, kind));
+                                       utf8_name(command.map), kind, kind));
 }
 
 void convert_map(const MapCommand& command) {
@@ -153,7 +153,7 @@ void convert_map(const MapCommand& command) {
                 throw InvalidInput(
                     fmt::format("{}: a matrix of {} x {} is no functional map: that has 1 to {} "
                                 "functions on each mesh",
-                                command.map.string(), c.rows(), c.cols(), max_functions));
+                                utf8_name(command.map), c.rows(), c.cols(), max_functions));
             size = static_cast<int>(most);
         }
         source_basis = eigen_basis(source, size, progress_bar("eigenfunctions", command.common));
@@ -171,7 +171,7 @@ void convert_map(const MapCommand& command) {
         say(command.common,
             fmt::format("{} x {} functional map, from functions on the target to functions on "
                         "the source -> {}",
-                        c.rows(), c.cols(), command.output.string()));
+                        c.rows(), c.cols(), utf8_name(command.output)));
         return;
     }
     if (command.to == "vertex") {

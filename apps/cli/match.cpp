@@ -157,9 +157,9 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
     const Index matched = count_matched(result.target_from_source);
     say(command.common, fmt::format("matched {} of {} vertices of solids by '{}' in {:.2f} s -> {}", matched,
                                     source.n_vertices(), to_string(result.method), watch.stages()[1].seconds,
-                                    command.output.string()));
+                                    utf8_name(command.output)));
     Json report = {
-        {"command", "match"}, {"source", command.source.string()}, {"target", command.target.string()}};
+        {"command", "match"}, {"source", utf8_name(command.source)}, {"target", utf8_name(command.target)}};
     report.update(judgment.report());
     report.update({{"method", to_string(result.method)},
                    {"source_vertices", source.n_vertices()},
@@ -210,9 +210,9 @@ void run(const MatchCommand& command) {
         say(command.common,
             fmt::format("matched {} of {} vertices by '{}' in {:.2f} s -> {}", matched, source.n_vertices(),
                         outcome.method.empty() ? command.method : outcome.method, watch.stages()[1].seconds,
-                        command.output.string()));
+                        utf8_name(command.output)));
     Json report = {
-        {"command", "match"}, {"source", command.source.string()}, {"target", command.target.string()}};
+        {"command", "match"}, {"source", utf8_name(command.source)}, {"target", utf8_name(command.target)}};
     report.update(judgment.report());
     report.update({{"method", command.method},
                    {"source_vertices", source.n_vertices()},

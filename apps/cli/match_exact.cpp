@@ -74,7 +74,7 @@ Json differences_to_json(const MeshDifferences& difference, const TriangleMesh& 
 void write_alternatives(const std::vector<VertexMap>& maps, const std::string& prefix,
                         MatchOutcome& outcome) {
     for (std::size_t i = 0; i < maps.size(); ++i)
-        write_vertex_map(maps[i], fmt::format("{}{}.txt", prefix, i + 1));
+        write_vertex_map(maps[i], platform::path_of(fmt::format("{}{}.txt", prefix, i + 1)));
     outcome.summary.push_back(
         fmt::format("wrote {} symmetric alternatives to {}1.txt ...", maps.size(), prefix));
     if (maps.empty()) outcome.summary.back() = "there is no symmetric alternative";
@@ -143,7 +143,7 @@ MatchOutcome exact_outcome(const MatchInput& input, const ExactArguments& argume
                                 {"winding_reversed", result.winding_reversed},
                                 {"mirrored", result.mirrored}});
     if (!arguments.alternatives.empty())
-        write_alternatives(result.alternatives, arguments.alternatives.string(), outcome);
+        write_alternatives(result.alternatives, utf8_name(arguments.alternatives), outcome);
     return outcome;
 }
 
@@ -172,9 +172,8 @@ MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArgum
                     "partial always merge those). Default: off")
         ->type_name("[LENGTH]")
         ->check(non_negative());
-    match
-        .add_option("--symmetric-alternatives", arguments->alternatives,
-                    "exact: write the other matches of a symmetric mesh to PREFIX1.txt, PREFIX2.txt, ...")
+    add_path(match, "--symmetric-alternatives", arguments->alternatives,
+             "exact: write the other matches of a symmetric mesh to PREFIX1.txt, PREFIX2.txt, ...")
         ->type_name("PREFIX");
     match
         .add_option("--max-alternatives", arguments->max_alternatives,

@@ -34,8 +34,8 @@ Json partial_report(const PartialResult& result) {
 }
 
 std::filesystem::path numbered_alternative(const std::filesystem::path& file, std::size_t number) {
-    return file.parent_path() /
-           fmt::format("{}_{}{}", file.stem().string(), number, file.extension().string());
+    return file.parent_path() / platform::path_of(fmt::format("{}_{}{}", utf8_name(file.stem()), number,
+                                                              utf8_name(file.extension())));
 }
 
 // What was taken for a part of what.

@@ -18,8 +18,8 @@ namespace counterpart::cli {
 namespace {
 
 std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {
-    return file.parent_path() /
-           fmt::format("{}_{}{}", file.stem().string(), number, file.extension().string());
+    return file.parent_path() / platform::path_of(fmt::format("{}_{}{}", utf8_name(file.stem()), number,
+                                                              utf8_name(file.extension())));
 }
 
 Json report_of(const SpectralResult& result) {
@@ -169,10 +169,8 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
                     "Random seed for the first sample; 0 = the vertex farthest from the center")
         ->capture_default_str()
         ->group(group);
-    match
-        .add_option(
-            "--cache", arguments->cache,
-            "Keep prepared shapes in FOLDER, so that a mesh that is matched again is not prepared again")
+    add_path(match, "--cache", arguments->cache,
+             "Keep prepared shapes in FOLDER, so that a mesh that is matched again is not prepared again")
         ->type_name("FOLDER")
         ->group(group);
     match
@@ -180,9 +178,8 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
         ->check(CLI::Range(0, 10))
         ->capture_default_str()
         ->group(group);
-    match
-        .add_option("--alternatives-output", arguments->alternatives,
-                    "Write the runner-up maps, with _1, _2, ... before the extension of FILE")
+    add_path(match, "--alternatives-output", arguments->alternatives,
+             "Write the runner-up maps, with _1, _2, ... before the extension of FILE")
         ->type_name("FILE")
         ->group(group);
     return {"spectral", "Laplace eigenfunctions: similar shapes, any triangulation, fully automatic",

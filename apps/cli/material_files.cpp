@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "material_files.hpp"
 
+#include "files.hpp"
+
 #include <counterpart/io/file.hpp>
 
 #include <algorithm>
@@ -24,9 +26,9 @@ void carry_material_files(const fs::path& from, const fs::path& to) {
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with("mtllib ")) continue;
         const std::size_t last = line.find_last_not_of(" \t\r");
-        const fs::path name = line.substr(7, last - 6);
+        const fs::path name = platform::path_of(line.substr(7, last - 6));
         const fs::path file = fs::absolute(from).parent_path() / name;  // an absolute name stays
-        carried += "mtllib " + (name.is_absolute() ? name : file.lexically_proximate(folder)).string() + "\n";
+        carried += "mtllib " + utf8_name(name.is_absolute() ? name : file.lexically_proximate(folder)) + "\n";
     }
     if (!carried.empty()) write_file(carried + read_whole_file(to), to);
 }

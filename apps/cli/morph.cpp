@@ -87,7 +87,7 @@ void write_morph_targets(AttributedMesh content, const std::vector<Points>& fram
 void warn_of_other_frames(const MorphCommand& command, std::size_t n_written) {
     std::vector<std::string> others;
     for (const auto& entry : std::filesystem::directory_iterator(command.output)) {
-        const std::string name = entry.path().filename().string();
+        const std::string name = utf8_name(entry.path().filename());
         unsigned number = 0;
         if (std::sscanf(name.c_str(), "frame_%u", &number) != 1) continue;
         if (number >= n_written || entry.path().extension() != command.format) others.push_back(name);
@@ -96,7 +96,7 @@ void warn_of_other_frames(const MorphCommand& command, std::size_t n_written) {
     std::sort(others.begin(), others.end());
     warn(fmt::format(
         "{} also holds {} that this run did not write, from {} to {}: delete what you do not want",
-        command.output.string(), counted(static_cast<Index>(others.size()), "frame"), others.front(),
+        utf8_name(command.output), counted(static_cast<Index>(others.size()), "frame"), others.front(),
         others.back()));
 }
 
@@ -107,7 +107,7 @@ void write_frames(AttributedMesh content, const std::vector<Points>& frames, con
     std::filesystem::create_directories(command.output, failure);
     if (failure)
         throw IoError(
-            fmt::format("{}: cannot create folder ({})", command.output.string(), failure.message()));
+            fmt::format("{}: cannot create folder ({})", utf8_name(command.output), failure.message()));
     const auto write = [&](const Points& vertices, std::size_t number) {
         content.mesh.vertices = vertices;
         write_attributed_mesh(content, command.output / fmt::format("frame_{:04}{}", number, command.format));
@@ -153,10 +153,10 @@ void run(const MorphCommand& command) {
     say(command.common,
         fmt::format("{} and the two key frames in {:.2f} s -> {}{}",
                     counted(static_cast<Index>(frames.size()), "in-between"), watch.stages()[1].seconds,
-                    command.output.string(), caution(found.report)));
+                    utf8_name(command.output), caution(found.report)));
     Json report = {{"command", "morph"},
-                   {"first", command.first.string()},
-                   {"last", command.last.string()},
+                   {"first", utf8_name(command.first)},
+                   {"last", utf8_name(command.last)},
                    {"vertices", first.n_vertices()}};
     report.update(found.report);
     report["frames"] = rows;

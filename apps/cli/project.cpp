@@ -39,7 +39,7 @@ void run(const ProjectCommand& command) {
     write_surface_map(target_from_source, command.output);
     say(command.common,
         fmt::format("{} of {} source vertices are mapped to a point on the target -> {}",
-                    count_matched(target_from_source), source.n_vertices(), command.output.string()));
+                    count_matched(target_from_source), source.n_vertices(), utf8_name(command.output)));
     write_report(report, command.common);
 }
 

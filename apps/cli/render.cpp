@@ -65,7 +65,7 @@ void check(const RenderCommand& command, const Figure& figure) {
     const std::string extension = lower_extension(command.output);
     if (!extension.empty() && extension != ".png" && !(extension == ".svg" && figure.diagram))
         throw InvalidInput(fmt::format("--show {} writes {}, not '{}'", figure.name,
-                                       figure.diagram ? ".png or .svg" : ".png", command.output.string()));
+                                       figure.diagram ? ".png or .svg" : ".png", utf8_name(command.output)));
 }
 
 // One color for each vertex, even where its corners differ.
@@ -97,7 +97,7 @@ void read(RenderCommand& command, const Figure& figure) {
             load_map(file, {request.source, *request.target, command.source, command.target}));
     }
     while (request.labels.size() < command.maps.size())
-        request.labels.push_back(command.maps[request.labels.size()].stem().string());
+        request.labels.push_back(utf8_name(command.maps[request.labels.size()].stem()));
     if (figure.needs_truth) request.truth = read_truth(command.truth);
 }
 
@@ -127,10 +127,10 @@ void run(RenderCommand& command) {
     write_file(bytes, command.output);
     watch.lap("write");
     say(command.request.common, fmt::format("drew '{}' in {:.2f} s -> {}", figure.name,
-                                            watch.stages()[1].seconds, command.output.string()));
+                                            watch.stages()[1].seconds, utf8_name(command.output)));
     write_report({{"command", "render"},
                   {"show", figure.name},
-                  {"output", command.output.string()},
+                  {"output", utf8_name(command.output)},
                   {"width", command.request.width},
                   {"height", command.request.height},
                   {"seconds", to_json(watch.stages())}},

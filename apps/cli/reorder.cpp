@@ -48,9 +48,9 @@ void report(const ReorderCommand& command, const MeshPair& pair, const std::vect
     for (const std::string& line : done.summary) say(command.common, line);
     say_messages(command.common, messages, pair);
     say(command.common, fmt::format("{} vertices in the order of {} -> {}", done.n_vertices,
-                                    command.source.string(), command.output.string()));
+                                    utf8_name(command.source), utf8_name(command.output)));
     Json json{
-        {"command", "reorder"}, {"source", command.source.string()}, {"target", command.target.string()}};
+        {"command", "reorder"}, {"source", utf8_name(command.source)}, {"target", utf8_name(command.target)}};
     json.update(judgment.report());
     json.update({{"vertices", done.n_vertices}, {"messages", to_json(messages)}});
     json.update(done.details);
@@ -80,13 +80,13 @@ std::string why_not(const ReorderCommand& command, const TriangleMesh& source, c
                     const std::string& difference) {
     const std::string advice =
         command.options.weld_distance < 0
-            ? welding_advice(source, target, command.source.string(), command.target.string())
+            ? welding_advice(source, target, utf8_name(command.source), utf8_name(command.target))
             : std::string();
     return fmt::format(
         "the meshes have different connectivity ({}), so the order cannot be restored; "
         "{}{}--allow-differences "
         "restores what both have, and 'fit {} {}' lays the mesh of the first on the surface of the second",
-        difference, advice, advice.empty() ? "" : "; ", command.source.string(), command.target.string());
+        difference, advice, advice.empty() ? "" : "; ", utf8_name(command.source), utf8_name(command.target));
 }
 
 // The source's mesh in the target's shape: what both have is at the target's places, the rest of the source
@@ -117,7 +117,7 @@ void run_with_differences(const ReorderCommand& command, AttributedMesh source, 
              Severity::caution,
              fmt::format("{} of {} vertices are not in {} and go with those around them, {} are "
                          "uncertain",
-                         others.size(), source.mesh.n_vertices(), command.target.string(),
+                         others.size(), source.mesh.n_vertices(), utf8_name(command.target),
                          shared.uncertain.size()),
              {Subject::map, others}});
     report(command, {source.mesh, target, command.source, command.target}, messages,

@@ -28,11 +28,11 @@ void run(const SpectrumCommand& command) {
     write_npy(basis.eigenvalues, command.eigenvalues);
     if (!command.functions.empty()) write_npy(Matrix(basis.eigenfunctions), command.functions);
     if (!command.mass.empty()) write_npy(basis.mass, command.mass);
-    say(command.common,
-        fmt::format("{} eigenvalues from {:.6g} to {:.6g} (1 / squared mesh units) -> {}", basis.size(),
-                    basis.eigenvalues[0], basis.eigenvalues[basis.size() - 1], command.eigenvalues.string()));
+    say(command.common, fmt::format("{} eigenvalues from {:.6g} to {:.6g} (1 / squared mesh units) -> {}",
+                                    basis.size(), basis.eigenvalues[0], basis.eigenvalues[basis.size() - 1],
+                                    utf8_name(command.eigenvalues)));
     write_report({{"command", "spectrum"},
-                  {"mesh", command.mesh.string()},
+                  {"mesh", utf8_name(command.mesh)},
                   {"vertices", mesh.n_vertices()},
                   {"components", laplacian.n_components},
                   {"flipped_edges", laplacian.n_flips},

@@ -84,7 +84,7 @@ TransferOptions chosen_options(const TransferCommand& command, const AttributedM
         const bool held = kind.held(source);
         options.*kind.option = held && (command.what.empty() || asked(kind.name));
         if (!held && asked(kind.name)) {
-            throw InvalidInput(fmt::format("{} has no {}; it has {}", command.source.string(), kind.name,
+            throw InvalidInput(fmt::format("{} has no {}; it has {}", utf8_name(command.source), kind.name,
                                            kinds_held(source)));
         }
     }
@@ -140,7 +140,7 @@ void keep_what_fits(const TransferCommand& command, const AttributedMesh& source
         if (fits || !(options.*kind.option)) continue;
         if (std::count(command.what.begin(), command.what.end(), kind.name) > 0)
             throw InvalidInput(fmt::format("{}: {} can be written only to .glb or .gltf",
-                                           command.output.string(), kind.name));
+                                           utf8_name(command.output), kind.name));
         options.*kind.option = false;
         left_out.emplace_back(kind.name);
     }
@@ -175,13 +175,13 @@ std::optional<VertexValues> values_of(const TransferCommand& command, Index n_ve
     if (command.values.empty()) return std::nullopt;
     VertexValues given{read_npy(command.values), read_npy_layout(command.values)};
     if (given.values.rows() != n_vertices)
-        throw InvalidInput(fmt::format("{}: has {} rows, but {} has {} vertices", command.values.string(),
-                                       given.values.rows(), command.source.string(), n_vertices));
+        throw InvalidInput(fmt::format("{}: has {} rows, but {} has {} vertices", utf8_name(command.values),
+                                       given.values.rows(), utf8_name(command.source), n_vertices));
     if (given.layout.is_integer && !command.labels)
         say(command.common,
             fmt::format("{} holds whole numbers, which are mixed as numbers between vertices; "
                         "if they are labels, give --labels",
-                        command.values.string()));
+                        utf8_name(command.values)));
     return given;
 }
 
@@ -208,7 +208,7 @@ void transfer_values_file(const TransferCommand& command, const TriangleMesh& so
     write_values(transfer_values(back, source, given.values), given.layout, command.labels,
                  command.values_output);
     say(command.common, fmt::format("{} x {} values -> {}", target.n_vertices(), given.values.cols(),
-                                    command.values_output.string()));
+                                    utf8_name(command.values_output)));
 }
 
 void run(const TransferCommand& command) {
@@ -219,9 +219,9 @@ void run(const TransferCommand& command) {
     TransferOptions options = chosen_options(command, source);
     keep_what_fits(command, source, options);
     Json report = {{"command", "transfer"},
-                   {"source", command.source.string()},
-                   {"target", command.target.string()},
-                   {"output", command.output.string()},
+                   {"source", utf8_name(command.source)},
+                   {"target", utf8_name(command.target)},
+                   {"output", utf8_name(command.output)},
                    {"vertices", target.mesh.n_vertices()},
                    {"triangles", target.mesh.n_triangles()},
                    {"attributes", Json::array()}};
@@ -235,7 +235,7 @@ void run(const TransferCommand& command) {
             say(command.common,
                 fmt::format("the {} parts of {} become those of the source, whose skeleton binds "
                             "them: their names and materials are not kept",
-                            n, command.target.string()));
+                            n, utf8_name(command.target)));
         TransferResult result = transferred(command, source, target, found.map, options);
         watch.lap("transfer");
         for (const Message& message : result.messages) {
@@ -253,14 +253,14 @@ void run(const TransferCommand& command) {
         target = std::move(result.content);
     } else {
         say(command.common,
-            fmt::format("nothing is transferred; {} has {}", command.source.string(), kinds_held(source)));
+            fmt::format("nothing is transferred; {} has {}", utf8_name(command.source), kinds_held(source)));
     }
     write_attributed_mesh(target, command.output);
     if (options.materials && names_materials(source)) carry_material_files(command.source, command.output);
     watch.lap("write");
     say(command.common,
         fmt::format("{} vertices, {} triangles -> {}{}", target.mesh.n_vertices(), target.mesh.n_triangles(),
-                    command.output.string(), caution(found.report)));
+                    utf8_name(command.output), caution(found.report)));
     report["seconds"] = to_json(watch.stages());
     write_report(report, command.common);
 }

@@ -54,15 +54,15 @@ ViewerValues values_of(const std::filesystem::path& file, Index n_vertices) {
         throw InvalidInput(
             fmt::format("{}: holds {} x {} numbers; --values needs one for each of the {} source "
                         "vertices",
-                        file.string(), values.rows(), values.cols(), n_vertices));
-    return {file.stem().string(), {values.data(), values.data() + values.size()}};
+                        utf8_name(file), values.rows(), values.cols(), n_vertices));
+    return {utf8_name(file.stem()), {values.data(), values.data() + values.size()}};
 }
 
 ViewerAppearance appearance_of(AttributedMesh& content, const std::filesystem::path& file,
                                const CommonOptions& common) {
     ViewerAppearance appearance;
     BaseColors found = read_base_colors(content, file, common.read);
-    for (const std::string& notice : found.notices) say(common, file.string() + ": " + notice);
+    for (const std::string& notice : found.notices) say(common, utf8_name(file) + ": " + notice);
     if (!found.images.empty())
         appearance = {std::move(content.texture_coordinates[0]), std::move(found.images),
                       std::move(found.image_of_triangle)};
@@ -113,7 +113,7 @@ std::vector<Index> vertex_truth(const GroundTruth& truth, Index n_source) {
 
 // As the page calls a mesh.
 std::string name_of(const MeshInput& mesh) {
-    const std::string file = mesh.file.stem().string();
+    const std::string file = utf8_name(mesh.file.stem());
     return mesh.object ? fmt::format("{} ({})", file, *mesh.object) : file;
 }
 
@@ -128,7 +128,7 @@ void run(ViewCommand& command) {
     if (command.output.empty()) {
         command.output = unused_page();
         check_files(command.common.files);
-        say(command.common, fmt::format("no -o is given: the page will be {}", command.output.string()));
+        say(command.common, fmt::format("no -o is given: the page will be {}", utf8_name(command.output)));
     }
     Stopwatch watch;
     AttributedMesh source_content = load_attributed_mesh(command.source, command.common);
@@ -142,7 +142,7 @@ void run(ViewCommand& command) {
     Json match_report = Json::object();
     for (const std::filesystem::path& file : command.maps) {
         loaded.push_back(load_map(file, pair));
-        maps.push_back({file.stem().string(), loaded.back().vertices});
+        maps.push_back({utf8_name(file.stem()), loaded.back().vertices});
     }
     if (maps.empty()) {
         FoundMap<VertexMap> found = matched(pair, command.common);
@@ -177,11 +177,11 @@ void run(ViewCommand& command) {
 
     say(command.common, fmt::format("{} and {} vertices, {} map{} -> {} ({:.1f} MB)", source.n_vertices(),
                                     target.n_vertices(), maps.size(), maps.size() == 1 ? "" : "s",
-                                    command.output.string(), static_cast<double>(page.size()) / 1e6));
+                                    utf8_name(command.output), static_cast<double>(page.size()) / 1e6));
     Json report = {{"command", "view"},
-                   {"source", command.source.string()},
-                   {"target", command.target.string()},
-                   {"output", command.output.string()},
+                   {"source", utf8_name(command.source)},
+                   {"target", utf8_name(command.target)},
+                   {"output", utf8_name(command.output)},
                    {"source_vertices", source.n_vertices()},
                    {"target_vertices", target.n_vertices()},
                    {"maps", maps.size()},

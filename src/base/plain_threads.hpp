@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 //
-// What parallel.hpp needs, by threads of the standard library: for WebAssembly, and for the thread sanitizer,
-// which takes every hand-over inside an uninstrumented TBB for a race. Simple enough to be seen right.
+// What parallel.hpp needs, by threads of the standard library: for what needs no other library (wheels,
+// Windows, WebAssembly), and for the thread sanitizer, which takes every hand-over inside an uninstrumented
+// TBB for a race. Simple enough to be seen right.
 #pragma once
 
 #include "platform/process.hpp"
@@ -19,7 +20,6 @@
 #include <mutex>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #ifdef __EMSCRIPTEN__
 #include <emscripten/threading.h>
@@ -36,38 +36,38 @@ inline bool can_start() {
 #endif
 }
 
-/// How many threads a loop that starts on this thread may use.
-inline thread_local int allowed = can_start() ? std::max(2, platform::n_processors()) : 1;
+/// What with_threads() has set on this thread; 0: nothing.
+inline constinit thread_local int set_number = 0;
 
-inline int n_allowed() { return allowed; }
+/// How many threads a loop that starts on this thread may use.
+inline int n_allowed() {
+    static const int all = can_start() ? std::max(2, platform::n_processors()) : 1;
+    return set_number > 0 ? set_number : all;
+}
 
 template <class Work>
 auto with_threads(int n_threads, const Work& work) {
     struct Restored {
-        int before = allowed;
-        ~Restored() { allowed = before; }
+        int before = set_number;
+        ~Restored() { set_number = before; }
     } const restored;
-    if (n_threads > 0 && can_start()) allowed = n_threads;
+    if (n_threads > 0 && can_start()) set_number = n_threads;
     return work();
 }
 
-/// Threads that wait for work. They are kept: a page starts none while its code runs.
+/// Threads that wait for work. They are kept until the process ends: a page starts none while its code runs.
 class Helpers {
   public:
+    /// Those of this process. One that was forked has none of its parent's threads, and what it inherited may
+    /// be locked for ever: it begins anew.
     static Helpers& all() {
-        static Helpers helpers;
-        return helpers;
-    }
-    Helpers() = default;
-    Helpers(const Helpers&) = delete;
-    Helpers& operator=(const Helpers&) = delete;
-    ~Helpers() {
-        {
-            const std::lock_guard lock(mutex_);
-            ending_ = true;
+        static std::atomic<Helpers*> current = nullptr;
+        Helpers* helpers = current;
+        while (helpers == nullptr || helpers->process_ != platform::process_number()) {
+            auto fresh = std::make_unique<Helpers>();
+            if (current.compare_exchange_strong(helpers, fresh.get())) helpers = fresh.release();
         }
-        changed_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
+        return *helpers;
     }
 
     /// work() on this thread and on up to `n_others` more, each when it is free; returns once all are done.
@@ -97,8 +97,7 @@ class Helpers {
             const std::lock_guard lock(mutex_);
             jobs_.push_back(job);
             n_needed_ += job->n_wanted;
-            while (threads_.size() < static_cast<std::size_t>(n_needed_))
-                threads_.emplace_back([this] { serve(); });
+            for (; n_threads_ < n_needed_; ++n_threads_) std::thread([this] { serve(); }).detach();
         }
         changed_.notify_all();
     }
@@ -111,8 +110,7 @@ class Helpers {
     void serve() {
         std::unique_lock lock(mutex_);
         while (true) {
-            changed_.wait(lock, [&] { return ending_ || !jobs_.empty(); });
-            if (ending_) return;
+            changed_.wait(lock, [&] { return !jobs_.empty(); });
             const std::shared_ptr<Job> job = jobs_.back();  // the innermost, for which others wait
             ++job->n_running;
             if (--job->n_wanted == 0) jobs_.pop_back();
@@ -128,16 +126,16 @@ class Helpers {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::list<std::shared_ptr<Job>> jobs_;
-    std::vector<std::thread> threads_;
+    int n_threads_ = 0;
     int n_needed_ = 0;  // threads that work or are wanted
-    bool ending_ = false;
+    const long process_ = platform::process_number();
 };
 
 /// work() on another thread, with as many threads as it could use on this one.
 template <class Work>
 auto start(const Work& work) {
     const auto task = std::make_shared<std::packaged_task<decltype(work())()>>(
-        [work, share = allowed] { return plain_threads::with_threads(share, work); });
+        [work, share = n_allowed()] { return plain_threads::with_threads(share, work); });
     auto result = task->get_future();
     Helpers::all().start([task] { (*task)(); });
     return result;
@@ -148,6 +146,7 @@ auto start(const Work& work) {
 template <class Run>
 void for_pieces(std::size_t count, std::size_t grain, const Run& run) {
     if (count == 0) return;
+    const int allowed = n_allowed();
     if (allowed == 1) return run(std::size_t{0}, count);
     // Several for each thread, as some take longer than others.
     const std::size_t piece =

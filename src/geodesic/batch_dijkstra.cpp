@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
+#include "numerics/vector_lanes.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -50,7 +51,7 @@ template <int lanes>
 void pass_on_4(const double* from, const Links& links, double* distance, double* lowered) {
     pass_on<4>(from, links, distance, lowered);
 }
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
+#ifdef COUNTERPART_WIDE_VECTORS
 [[gnu::target("avx2")]] void pass_on_8(const double* from, const Links& links, double* distance,
                                        double* lowered) {
     pass_on<8>(from, links, distance, lowered);
@@ -60,8 +61,8 @@ void pass_on_4(const double* from, const Links& links, double* distance, double*
     pass_on<16>(from, links, distance, lowered);
 }
 void pass_on_all(const double* from, const Links& links, double* distance, double* lowered) {
-    if (__builtin_cpu_supports("avx512f")) return pass_on_16(from, links, distance, lowered);
-    if (__builtin_cpu_supports("avx2")) return pass_on_8(from, links, distance, lowered);
+    if (numerics::vector_lanes() == 16) return pass_on_16(from, links, distance, lowered);
+    if (numerics::vector_lanes() == 8) return pass_on_8(from, links, distance, lowered);
     pass_on_4(from, links, distance, lowered);
 }
 #else

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
+#include "numerics/vector_lanes.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -84,7 +85,7 @@ struct Machine {
     MultiplyPanel multiply;
 };
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
+#ifdef COUNTERPART_WIDE_VECTORS
 [[gnu::target("avx2")]] void multiply_panel_8(const Panels& left, const Panels& right, Index q,
                                               MatrixF& result) {
     multiply_panel<8>(left, right, q, result);
@@ -94,8 +95,8 @@ struct Machine {
     multiply_panel<16>(left, right, q, result);
 }
 Machine this_machine() {
-    if (__builtin_cpu_supports("avx512f")) return {16, multiply_panel_16};
-    if (__builtin_cpu_supports("avx2")) return {8, multiply_panel_8};
+    if (vector_lanes() == 16) return {16, multiply_panel_16};
+    if (vector_lanes() == 8) return {8, multiply_panel_8};
     return {4, multiply_panel_4};
 }
 #else

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
+#include "numerics/vector_lanes.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -140,7 +141,7 @@ struct Machine {
     SearchBlock search;
 };
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
+#ifdef COUNTERPART_WIDE_VECTORS
 [[gnu::target("avx2")]] void search_block_8(const Panels& x, const Panels& y, Index first, Index last,
                                             Best& rows, Best& columns) {
     search_block<8>(x, y, first, last, rows, columns);
@@ -150,8 +151,8 @@ struct Machine {
     search_block<16>(x, y, first, last, rows, columns);
 }
 Machine this_machine() {
-    if (__builtin_cpu_supports("avx512f")) return {16, search_block_16};
-    if (__builtin_cpu_supports("avx2")) return {8, search_block_8};
+    if (vector_lanes() == 16) return {16, search_block_16};
+    if (vector_lanes() == 8) return {8, search_block_8};
     return {4, search_block_4};
 }
 #else

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
+#include "numerics/vector_lanes.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -126,7 +127,7 @@ void combinations_4(const TallMatrix& a, const Groups& b, Eigen::Index g, Eigen:
     combinations<4>(a, b, g, first, n, result);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
+#ifdef COUNTERPART_WIDE_VECTORS
 [[gnu::target("avx2")]] void dot_products_8(const TallMatrix& a, const Groups& b, Eigen::Index g,
                                             Eigen::Index first, Eigen::Index last, double* result) {
     dot_products<8>(a, b, g, first, last, result);
@@ -144,8 +145,8 @@ void combinations_4(const TallMatrix& a, const Groups& b, Eigen::Index g, Eigen:
     combinations<16>(a, b, g, first, n, result);
 }
 Machine this_machine() {
-    if (__builtin_cpu_supports("avx512f")) return {dot_products_16, combinations_16};
-    if (__builtin_cpu_supports("avx2")) return {dot_products_8, combinations_8};
+    if (vector_lanes() == 16) return {dot_products_16, combinations_16};
+    if (vector_lanes() == 8) return {dot_products_8, combinations_8};
     return {dot_products_4, combinations_4};
 }
 #else

@@ -12,6 +12,9 @@ namespace counterpart::platform {
 /// How many threads may run at the same time, at least 1.
 int n_processors();
 
+/// The number of this process: another in one that is forked.
+long process_number();
+
 /// The words that the program was called with, its name among them, in UTF-8. From here on what it prints is
 /// taken for UTF-8, and passes as it is.
 std::vector<std::string> command_line(int argc, char** argv);

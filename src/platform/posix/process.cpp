@@ -55,6 +55,8 @@ int n_processors() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+long process_number() { return getpid(); }
+
 std::vector<std::string> command_line(int argc, char** argv) { return {argv, argv + argc}; }
 
 bool is_terminal() { return isatty(STDERR_FILENO) != 0; }

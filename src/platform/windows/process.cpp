@@ -64,6 +64,8 @@ std::filesystem::path own_folder() {
 
 int n_processors() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
+long process_number() { return static_cast<long>(GetCurrentProcessId()); }
+
 std::vector<std::string> command_line(int argc, char** argv) {
     SetConsoleOutputCP(CP_UTF8);
     _setmode(_fileno(stdout), _O_BINARY);
