@@ -7,6 +7,7 @@
 
 #include "checks.hpp"
 #include "files.hpp"
+#include "kept_streams.hpp"
 
 #include <counterpart/base/progress.hpp>
 #include <counterpart/io/mesh_file.hpp>
@@ -38,6 +39,7 @@ template <class Run>
 void on_run(CLI::App& command, CommonOptions& options, Run run) {
     command.callback([&options, run] {
         check_files(options.files);
+        const KeptStreams kept(options.files);
         run();
     });
 }

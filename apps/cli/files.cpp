@@ -94,7 +94,9 @@ bool is_regular_or_new(const fs::path& file) {
 bool is_same_file(const fs::path& a, const fs::path& b) {
     std::error_code error;
     if (fs::equivalent(a, b, error) && !error) return true;
-    return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+    const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
+    if (error) return false;  // a pipe
+    return one == fs::weakly_canonical(fs::absolute(b), error) && !error;
 }
 
 fs::path folder_of(const fs::path& file) {
@@ -132,18 +134,11 @@ void require_writable(const FileArgument& argument, const fs::path& file) {
         refuse(fmt::format("the folder cannot be written ({})", std::strerror(error)));
 }
 
-std::vector<fs::path*> files_of(const FileArgument& argument) {
-    if (argument.file != nullptr) return {argument.file};
-    std::vector<fs::path*> files;
-    for (fs::path& file : *argument.several) files.push_back(&file);
-    return files;
-}
-
 void require_distinct(const FileArguments& files, std::size_t written, const fs::path& output) {
     for (std::size_t i = 0; i < files.size(); ++i) {
         const bool is_earlier_output = files[i].written && i < written;
         if (files[i].written && !is_earlier_output) continue;
-        for (const fs::path* other : files_of(files[i])) {
+        for (const fs::path* other : files[i].names()) {
             if (other->empty() || !is_same_file(*other, output)) continue;
             if (!files[i].written)
                 throw InvalidInput(fmt::format("{} {} would replace {}, which is read; write to another file",
@@ -163,6 +158,13 @@ std::string name_of(const std::string& names) {  // the last: "-o,--output" is -
 CLI::Option* add_path(CLI::App& command, const std::string& name, fs::path& path, const std::string& help) {
     const auto set = [&path](const std::string& word) { path = platform::path_of(word); };
     return command.add_option_function<std::string>(name, set, help);
+}
+
+std::vector<fs::path*> FileArgument::names() const {
+    if (file != nullptr) return {file};
+    std::vector<fs::path*> all;
+    for (fs::path& one : *several) all.push_back(&one);
+    return all;
 }
 
 CLI::Option* add_input(CLI::App& command, FileArguments& files, const std::string& name, fs::path& file,

@@ -38,6 +38,8 @@ struct FileArgument {
     std::optional<Content> written;                         // nothing: it is read
     const MeshInput* mesh = nullptr;                        // that it is the file of
     std::string object_option{};                            // "--source-object"
+
+    std::vector<std::filesystem::path*> names() const;
 };
 using FileArguments = std::vector<FileArgument>;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "known_pairs.hpp"
 
+#include "checks.hpp"
+
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/landmark_file.hpp>
 #include <counterpart/io/landmark_points.hpp>
@@ -13,13 +15,24 @@ namespace counterpart::cli {
 Landmarks KnownPairsFiles::read(MeshView source, MeshView target_mesh) const {
     if (pairs.empty()) return {};
     if (!target.empty())
-        return landmark_pairs(read_landmark_points(pairs), source, read_landmark_points(target), target_mesh);
+        return landmark_pairs(read_landmark_points(pairs, axes), source, read_landmark_points(target, axes),
+                              target_mesh);
     const std::string name = utf8_name(pairs.filename());
     for (const char* ending : {".json", ".fcsv", ".csv"})
         if (name.ends_with(ending))
             throw InvalidInput(fmt::format(
                 "{} holds points of one mesh: give those of the other with --target-landmarks", name));
     return read_landmarks(pairs, source, target_mesh);
+}
+
+CLI::Option* add_landmark_axes(CLI::App& command, std::optional<Anatomical>& axes) {
+    return command
+        .add_option_function<std::string>(
+            "--landmark-axes",
+            [&axes](const std::string& name) { axes = name == "LPS" ? Anatomical::lps : Anatomical::ras; },
+            "What the meshes are in: points whose file says otherwise are turned to it. Default: as they are")
+        ->check(one_of({"LPS", "RAS"}))
+        ->option_text("LPS|RAS");
 }
 
 void add_known_pairs(CLI::App& command, KnownPairsFiles& known, const std::string& purpose,
@@ -37,6 +50,7 @@ void add_known_pairs(CLI::App& command, KnownPairsFiles& known, const std::strin
         ->type_name("FILE")
         ->needs(pairs)
         ->group(group);
+    add_landmark_axes(command, known.axes)->group(group);
 }
 
 FileArguments files_of(KnownPairsFiles& known) {

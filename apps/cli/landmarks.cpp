@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
+#include "known_pairs.hpp"
 #include "load_map.hpp"
 
 #include <counterpart/io/landmark_points.hpp>
@@ -17,6 +18,7 @@ struct LandmarksCommand {
     CommonOptions common;
     MeshInput source, target;
     std::filesystem::path points, map, output;
+    std::optional<Anatomical> axes{};
 };
 
 Points as_rows(const std::vector<Landmark>& landmarks) {
@@ -27,10 +29,11 @@ Points as_rows(const std::vector<Landmark>& landmarks) {
 }
 
 void run(const LandmarksCommand& command) {
-    LandmarkPoints points = read_landmark_points(command.points);
+    LandmarkPoints points = read_landmark_points(command.points, command.axes);
     require_writable(points, command.output);
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);
+    require_near(points.landmarks, source, "source");
     const FoundMap<SurfaceMap> found =
         surface_map_or_match(command.map, {source, target, command.source, command.target}, command.common);
     const Points carried = carry_points(as_rows(points.landmarks), source, target, found.map);
@@ -74,6 +77,7 @@ void add_landmarks(CLI::App& program) {
     add_input(*landmarks, files, "--map", command->map,
               "Map from SOURCE to TARGET. Default: match them first, unless they have the same triangles")
         ->type_name("FILE");
+    add_landmark_axes(*landmarks, command->axes);
     add_common_options(*landmarks, command->common);
     on_run(*landmarks, command->common, [command] { run(*command); });
 }

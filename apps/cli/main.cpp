@@ -27,8 +27,9 @@ int main(int argc, char** argv) {
     program.require_subcommand(1);
     const counterpart::MeshExtensions extensions = counterpart::mesh_extensions();
     program.footer(fmt::format(  // which every command inherits
-        "Mesh files are read from {}, and written to {}; solids to {}.", fmt::join(extensions.read, " "),
-        fmt::join(extensions.written, " "), fmt::join(extensions.written_solids, " ")));
+        "Mesh files are read from {} and, as '-', standard input, and written to {}; solids to {}.",
+        fmt::join(extensions.read, " "), fmt::join(extensions.written, " "),
+        fmt::join(extensions.written_solids, " ")));
     counterpart::cli::add_convert(program);
     counterpart::cli::add_deform(program);
     counterpart::cli::add_inspect(program);

@@ -149,8 +149,7 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
             std::map<std::string, Mirror>{
                 {"auto", Mirror::automatic}, {"never", Mirror::never}, {"always", Mirror::always}},
             CLI::ignore_case))
-        ->default_str("auto")
-        ->type_name("auto|never|always")
+        ->option_text("auto|never|always [auto]")
         ->group(group);
     match
         .add_flag("--symmetric", arguments->options.symmetric,

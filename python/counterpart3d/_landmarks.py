@@ -127,10 +127,13 @@ def carry_landmarks(
     Raises
     ------
     InvalidInput
-        The map does not fit the meshes, or a coordinate is not finite.
+        The map does not fit the meshes, a coordinate is not finite, or a landmark lies far from the source: it is in
+        another frame (LPS and RAS) or unit.
     """
     names, points = _table(landmarks)
     begin, end = core_mesh(source), core_mesh(target)
+    if names:
+        _core.landmark_pairs(begin, begin, names, points, names, points)  # refuses those of another frame
     carried = _core.carry_points(points, begin, end, *surface_map_of(target_from_source, begin, end))
     axes = landmarks.axes if isinstance(landmarks, Landmarks) else None
     pairs = zip(names, carried, strict=True)

@@ -67,6 +67,9 @@ def test_carried_by_a_map(pair):
     assert set(cp.carry_landmarks({"low": low, "high": high}, source, target, corners).points) == {"high"}
     with pytest.raises(cp.InvalidInput, match="not finite"):
         cp.carry_landmarks({"a": [0, np.nan, 0]}, source, target, truth)
+    with pytest.raises(cp.InvalidInput, match=r"'a' of the source lies .* another frame or unit"):
+        cp.carry_landmarks({"a": [0, 0, 40]}, source, target, truth)
+    assert cp.carry_landmarks({}, source, target, truth).points == {}
 
 
 def surface(image, target):

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -60,10 +61,29 @@ std::map<std::string, Eigen::RowVector3d> by_name(const LandmarkPoints& points, 
     return found;
 }
 
-Index vertex_nearest_to(const Eigen::RowVector3d& point, MeshView mesh) {
-    Eigen::Index nearest = 0;
-    (mesh.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
-    return static_cast<Index>(nearest);
+struct Nearest {
+    Index vertex;
+    double distance;
+};
+
+Nearest nearest_to(const Eigen::RowVector3d& point, MeshView mesh) {
+    Eigen::Index vertex = 0;
+    const double squared = (mesh.vertices.rowwise() - point).rowwise().squaredNorm().minCoeff(&vertex);
+    return {static_cast<Index>(vertex), std::sqrt(squared)};
+}
+
+// The landmark that lies farthest from the mesh.
+struct Farthest {
+    const Landmark* landmark = nullptr;
+    double distance = 0;
+};
+
+Farthest farthest_of(const std::vector<Landmark>& landmarks, MeshView mesh) {
+    Farthest found;
+    for (const Landmark& landmark : landmarks)
+        if (const double distance = nearest_to(landmark.point, mesh).distance; distance > found.distance)
+            found = {&landmark, distance};
+    return found;
 }
 
 }  // namespace
@@ -106,18 +126,45 @@ void write_landmark_points(const LandmarkPoints& points, const std::filesystem::
     write_file(landmark_format_of(file).bytes(points), file);
 }
 
+void require_near(const std::vector<Landmark>& landmarks, MeshView mesh, const std::string& side) {
+    constexpr double near = 0.05, far = 0.25, much_nearer = 0.25;  // near and far: shares of the diagonal
+    const double diagonal = (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
+    const Farthest found = farthest_of(landmarks, mesh);
+    if (found.distance <= near * diagonal) return;
+    LandmarkPoints turned{landmarks, Anatomical::lps};
+    turn(turned, Anatomical::ras);
+    if (const double others = farthest_of(turned.landmarks, mesh).distance;
+        others < much_nearer * found.distance)
+        throw InvalidInput(fmt::format(
+            "the {}'s landmarks lie up to {:.3g} from its mesh, and up to {:.3g} where x and y change "
+            "signs: one of them is LPS, the other RAS; say which axes the mesh has",
+            side, found.distance, others));
+    if (found.distance > far * diagonal)
+        throw InvalidInput(
+            fmt::format("landmark '{}' of the {} lies {:.3g} from its mesh, which is {:.3g} "
+                        "across: it was set in another frame or unit",
+                        found.landmark->name, side, found.distance, diagonal));
+}
+
 std::vector<std::pair<Index, Index>> landmark_pairs(const LandmarkPoints& source_points, MeshView source,
                                                     const LandmarkPoints& target_points, MeshView target) {
     require_valid(source);
     require_valid(target);
     by_name(source_points, "source");
     const std::map<std::string, Eigen::RowVector3d> goals = by_name(target_points, "target");
+    std::vector<Landmark> from, to;
+    for (const Landmark& landmark : source_points.landmarks) {
+        const auto goal = goals.find(landmark.name);
+        if (goal == goals.end()) continue;
+        from.push_back(landmark);
+        to.push_back({landmark.name, goal->second});
+    }
+    if (from.empty()) throw InvalidInput("no landmark of the source has the name of one of the target");
+    require_near(from, source, "source");
+    require_near(to, target, "target");
     std::vector<std::pair<Index, Index>> pairs;
-    for (const Landmark& landmark : source_points.landmarks)
-        if (const auto goal = goals.find(landmark.name); goal != goals.end())
-            pairs.emplace_back(vertex_nearest_to(landmark.point, source),
-                               vertex_nearest_to(goal->second, target));
-    if (pairs.empty()) throw InvalidInput("no landmark of the source has the name of one of the target");
+    for (std::size_t i = 0; i < from.size(); ++i)
+        pairs.emplace_back(nearest_to(from[i].point, source).vertex, nearest_to(to[i].point, target).vertex);
     return pairs;
 }
 

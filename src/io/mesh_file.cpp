@@ -10,6 +10,10 @@
 #include <counterpart/io/mesh_file.hpp>
 #include <counterpart/io/mesh_objects.hpp>
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 namespace counterpart {
@@ -30,6 +34,19 @@ std::vector<std::string> extensions_where(const Condition& holds) {
                                     const std::vector<std::string>& extensions) {
     throw IoError(fmt::format("{}: the name of {} must end in {}, which tells the format",
                               platform::utf8_name(file), what, fmt::join(extensions, ", ")));
+}
+
+// Files of programs that can save others.
+constexpr std::array<std::string_view, 13> scenes = {".fbx", ".usd",   ".usda", ".usdc", ".usdz",
+                                                     ".abc", ".blend", ".dae",  ".3ds",  ".max",
+                                                     ".ma",  ".mb",    ".3mf"};
+
+void refuse_scene(const std::filesystem::path& file) {
+    if (std::find(scenes.begin(), scenes.end(), lower_extension(file)) == scenes.end()) return;
+    throw IoError(fmt::format(
+        "{}: scenes of this format are not read; open it in Blender, say, and save it as .glb, which keeps "
+        "skin, shape keys and materials",
+        platform::utf8_name(file)));
 }
 
 // What `work` gives; InvalidInput becomes IoError with the file's name and `prefix`.
@@ -67,7 +84,10 @@ enum class Attributes { none, all };
 AttributedMeshFile read_content(const std::filesystem::path& file, const ReadOptions& options,
                                 Attributes attributes) {
     const MeshFormat* const format = find_mesh_format(file);
-    if (format == nullptr) fail_on_extension(file, "a mesh", mesh_extensions().read);
+    if (format == nullptr) {
+        refuse_scene(file);
+        fail_on_extension(file, "a mesh", mesh_extensions().read);
+    }
     return naming(file, "", [&] {
         if (options.object && !format->has_objects) require_single_object(*options.object);
         AttributedMeshFile result =

@@ -14,7 +14,8 @@
 
 namespace counterpart::platform {
 
-/// The name of standard output among files, on every system.
+/// The names of standard input and output among files, on every system.
+inline constexpr const char* standard_input = "/dev/stdin";
 inline constexpr const char* standard_output = "/dev/stdout";
 
 /// A name in UTF-8 (where file names are bytes, as they are), for messages and for what is stored in files.
@@ -65,7 +66,8 @@ Opened open_stream(const std::filesystem::path& file);
 /// made if `may_be_new`. No file and no error: one is in the way, another writer's, a link, a folder.
 Opened open_alone(const std::filesystem::path& name, bool may_be_new);
 
-/// For reading, in binary; null with errno set if it cannot be opened.
+/// For reading, in binary; null with errno set if it cannot be opened. Standard input also where that has no
+/// name.
 std::FILE* open_to_read(const std::filesystem::path& file);
 
 /// Whether the name stands for standard output though no file has it.

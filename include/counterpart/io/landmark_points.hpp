@@ -42,8 +42,14 @@ void write_landmark_points(const LandmarkPoints& points, const std::filesystem::
 /// Throws what write_landmark_points would throw for these points and this file name.
 void require_writable(const LandmarkPoints& points, const std::filesystem::path& file);
 
+/// Throws InvalidInput where landmarks were set in another frame or unit than the mesh: one lies farther from
+/// all vertices than a quarter of the mesh's diagonal; or one lies farther than a twentieth, and all come
+/// four times nearer when they are turned from LPS to RAS. `side` ("source") is for the message. O(V) for
+/// each.
+void require_near(const std::vector<Landmark>& landmarks, MeshView mesh, const std::string& side);
+
 /// The vertices nearest to landmarks of the same name, in the source's order. Throws InvalidInput if a name
-/// is there twice or no two are the same. O(V) for each.
+/// is there twice or no two are the same, and as require_near. O(V) for each.
 std::vector<std::pair<Index, Index>> landmark_pairs(const LandmarkPoints& source_points, MeshView source,
                                                     const LandmarkPoints& target_points, MeshView target);
 

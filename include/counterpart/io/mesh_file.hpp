@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace counterpart {
@@ -22,6 +23,10 @@ struct MeshExtensions {
     std::vector<std::string> written_solids;  ///< that write_tetrahedral_mesh takes
 };
 MeshExtensions mesh_extensions();
+
+/// The extension of the format that these bytes begin like: ".ply" of "ply". Empty if no format does; formats
+/// of several files are not recognized. What begins so may still be faulty.
+std::string recognized_extension(std::string_view bytes);
 
 /// A mesh as read, and what the reader changed.
 struct MeshFile {

@@ -76,7 +76,11 @@ Opened open_alone(const fs::path& name, bool may_be_new) {
     return {std::move(file)};
 }
 
-std::FILE* open_to_read(const fs::path& file) { return std::fopen(file.c_str(), "rb"); }
+std::FILE* open_to_read(const fs::path& file) {
+    if (file != standard_input) return std::fopen(file.c_str(), "rb");
+    const int opened = ::dup(STDIN_FILENO);  // a socket cannot be opened by its name
+    return opened < 0 ? nullptr : ::fdopen(opened, "rb");
+}
 
 bool is_nameless_output(const fs::path& /*file*/) { return false; }
 

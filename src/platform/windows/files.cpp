@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <vector>
 
+#include <fcntl.h>
+#include <io.h>
 #include <windows.h>
 
 namespace counterpart::platform {
@@ -122,7 +124,12 @@ Opened open_alone(const fs::path& name, bool may_be_new) {
     return result;
 }
 
-std::FILE* open_to_read(const fs::path& file) { return _wfopen(file.c_str(), L"rb"); }
+std::FILE* open_to_read(const fs::path& file) {
+    if (file != standard_input) return _wfopen(file.c_str(), L"rb");
+    const int opened = _dup(_fileno(stdin));
+    if (opened >= 0) _setmode(opened, _O_BINARY);
+    return opened < 0 ? nullptr : _fdopen(opened, "rb");
+}
 
 bool is_nameless_output(const fs::path& file) { return file == standard_output; }
 

@@ -105,6 +105,22 @@ TEST_F(LandmarkPointFiles, ArePairedByName) {
     test::expect_error<InvalidInput>([&] { landmark_pairs(a, mesh, b, mesh); }, "no landmark of the source");
 }
 
+TEST_F(LandmarkPointFiles, OfAnotherFrameAreRefused) {
+    TriangleMesh mesh = make_icosphere(2);
+    mesh.vertices.rowwise() += Eigen::RowVector3d(5, -3, 40);
+    std::vector<Landmark> landmarks = {{"one", mesh.vertices.row(3)}, {"two", mesh.vertices.row(7)}};
+    EXPECT_NO_THROW(require_near(landmarks, mesh, "source"));
+    landmarks[1].point[0] += 0.3;  // not quite on the surface
+    EXPECT_NO_THROW(require_near(landmarks, mesh, "source"));
+    landmarks[1].point[0] += 3;
+    test::expect_error<InvalidInput>([&] { require_near(landmarks, mesh, "source"); },
+                                     "landmark 'two' of the source lies ");
+    landmarks[1].point = mesh.vertices.row(7);
+    for (Landmark& landmark : landmarks) landmark.point.head<2>() *= -1;
+    test::expect_error<InvalidInput>([&] { landmark_pairs({landmarks}, mesh, {landmarks}, mesh); },
+                                     "one of them is LPS, the other RAS");
+}
+
 TEST_F(LandmarkPointFiles, WhatIsWrongIsNamed) {
     refused("a.mrk.json", "{", "the JSON is damaged");
     refused("a.mrk.json", "[]", "there are no markups");

@@ -98,10 +98,25 @@ TEST(MeshFile, EveryExtensionThatIsListedIsWrittenAndRead) {
 
 TEST(MeshFile, AnExtensionThatIsNotOneIsAnsweredWithThoseThatAre) {
     const TemporaryFolder folder;
-    test::expect_error<IoError>([&] { read_mesh(folder.file("a.fbx", "")); },
+    test::expect_error<IoError>([&] { read_mesh(folder.file("a.txt", "")); },
                                 ".off, .obj, .ply, .stl, .glb, .gltf, .msh");
+    test::expect_error<IoError>([&] { read_mesh(folder.file("a.FBX", "")); }, "save it as .glb");
     test::expect_error<IoError>([&] { write_mesh(make_icosphere(0), folder / "a.msh"); },
                                 ".gltf, .vtk, .vtp, which tells");
+}
+
+TEST(MeshFile, WhatIsWrittenIsRecognizedByItsBytes) {
+    const TemporaryFolder folder;
+    for (const std::string& extension : mesh_extensions().written) {
+        write_mesh(make_icosphere(0), folder / ("a" + extension));
+        EXPECT_EQ(recognized_extension(read_whole_file(folder / ("a" + extension))), extension);
+    }
+    EXPECT_EQ(recognized_extension("\xef\xbb\xbf# a comment\n\nv 0 0 0\n"), ".obj");
+    EXPECT_EQ(recognized_extension("STOFF\n"), ".off");
+    EXPECT_EQ(recognized_extension("$MeshFormat\n"), ".msh");
+    EXPECT_EQ(recognized_extension("<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI>\n<GIFTI>"), ".gii");
+    for (const std::string bytes : {"", "\n", "12 7\n", "view\n", "<html>", "\xff\xfe\x00"})
+        EXPECT_EQ(recognized_extension(bytes), "") << bytes;
 }
 
 TEST(MeshFile, DoesNotWriteWhatItWouldNotRead) {
