@@ -26,7 +26,7 @@ viewer() { scripts/test_viewer.sh; }
 wasm() { scripts/wasm.sh && scripts/test_wasm.sh; }
 # Compiled here, run under Wine.
 windows() { scripts/windows.sh && scripts/test_windows.sh; }
-# With the interpreters of both wheels, where they are installed: that of Debian 12, and 3.12 or newer.
+# For this machine, with the interpreters of both wheels, where they are installed: that of Debian 12, and 3.12 or newer.
 wheels() {
   local pythons=(python3) newer
   newer=$(compgen -c python3.1 | grep -xE 'python3\.1[2-9]' | sort -V | tail -n 1)

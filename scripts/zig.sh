@@ -13,9 +13,12 @@ if [ ! -x "$folder/bin/python" ]; then
 fi
 zig=$(echo "$folder"/lib/python*/site-packages/ziglang/zig)
 mkdir -p "$folder/$target"
-for tool in cc c++ ar ranlib rc; do
+for tool in cc c++ ar ranlib rc dlltool; do
   options=
   case $tool in cc | c++) options="-target $target" ;; esac
-  printf '#!/bin/sh\nexec "%s" %s %s "$@"\n' "$zig" "$tool" "$options" > "$folder/$target/$tool"
-  chmod +x "$folder/$target/$tool"
+  printf '#!/bin/sh\nexec "%s" %s %s "$@"\n' "$zig" "$tool" "$options" > "$folder/new"
+  chmod +x "$folder/new"
+  # A compiler cache takes one of another time for another.
+  cmp -s "$folder/new" "$folder/$target/$tool" || mv "$folder/new" "$folder/$target/$tool"
 done
+rm -f "$folder/new"

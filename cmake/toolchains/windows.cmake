@@ -4,8 +4,7 @@ set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)
 set(CMAKE_CXX_COMPILER x86_64-w64-mingw32-g++-posix)
 set(CMAKE_RC_COMPILER x86_64-w64-mingw32-windres)
-# GCC writes what starts a thread_local variable of a header once per object file there, all the same.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -Wl,--allow-multiple-definition")
+set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
 # What GCC puts into one section per function is otherwise more than an object file of Windows may have.
 set(CMAKE_CXX_FLAGS_INIT -Wa,-mbig-obj)
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
