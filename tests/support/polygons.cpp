@@ -38,12 +38,14 @@ PolygonList polygons_of(MeshView mesh) {
 TriangleMesh cut_at_random(const TriangleMesh& quads, std::uint64_t seed) {
     Random random(seed);
     const PolygonList list = polygons_of(quads);
-    TriangleMesh mesh{quads.vertices, Triangles(2 * std::ssize(list.sizes), 3)};
-    for (Eigen::Index p = 0; p < std::ssize(list.sizes); ++p) {
-        const Index* const v = list.corners.data() + 4 * p;
-        const auto k = static_cast<std::size_t>(random.below(2));
-        mesh.triangles.row(2 * p) << v[k], v[k + 1], v[k + 2];
-        mesh.triangles.row(2 * p + 1) << v[k], v[k + 2], v[(k + 3) % 4];
+    TriangleMesh mesh{quads.vertices, Triangles(quads.n_triangles(), 3)};
+    const Index* v = list.corners.data();
+    Eigen::Index t = 0;
+    for (const Index size : list.sizes) {
+        const auto k = static_cast<std::size_t>(size == 4 ? random.below(2) : 0);
+        mesh.triangles.row(t++) << v[k], v[k + 1], v[k + 2];
+        if (size == 4) mesh.triangles.row(t++) << v[k], v[k + 2], v[(k + 3) % 4];
+        v += size;
     }
     return mesh;
 }

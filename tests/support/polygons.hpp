@@ -22,7 +22,8 @@ struct PolygonList {
 /// The polygons of a mesh, or its triangles.
 PolygonList polygons_of(MeshView mesh);
 
-/// The triangles of a mesh of quads, each cut along a random one of its diagonals; without the quads.
+/// The triangles of a mesh of quads and triangles, each quad cut along a random one of its diagonals; without
+/// the quads.
 TriangleMesh cut_at_random(const TriangleMesh& quads, std::uint64_t seed);
 
 /// Each triangle in three quads, around the vertex in its middle.

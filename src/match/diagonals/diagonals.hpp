@@ -4,23 +4,18 @@
 // Meshes of triangles that are the same but for the diagonals along which their quads were cut.
 #pragma once
 
+#include "match/diagonals/with_quads.hpp"
+
 #include <counterpart/base/progress.hpp>
-#include <counterpart/mesh/triangle_mesh.hpp>
+#include <counterpart/map/vertex_map.hpp>
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace counterpart::diagonals {
 
-/// A mesh with some pairs of its triangles made one quad; the others are polygons of three corners.
-struct WithQuads {
-    TriangleMesh mesh;
-    std::vector<Index> triangle;  ///< that each of its triangles is in the mesh it was made of
-};
 struct Recut {
     WithQuads source, target;
-    Index n_quads = 0;
 };
 
 struct RecutSearch {
@@ -38,5 +33,11 @@ struct RecutSearch {
 /// A walk begins at an edge that is no diagonal: at a border, or the sharpest one of a component. It is tried
 /// from every edge of the target, a few steps from most, the whole way from at most 16: about O(F).
 RecutSearch find_recut_quads(MeshView source, MeshView target, const Progress& progress);
+
+/// Both meshes with all quads of one that has polygons, taken to the other by an isomorphism that keeps them.
+/// The walk pairs a part that is alike in itself in one of its ways, and the quads that this cuts differently
+/// allow no other; all quads allow them all. Nothing where neither has polygons, or some of more than four
+/// corners. O(F).
+std::optional<Recut> with_known_quads(MeshView source, MeshView target, const VertexMap& target_from_source);
 
 }  // namespace counterpart::diagonals

@@ -108,6 +108,16 @@ Triangles in_input_order(TrianglesView corners, const diagonals::Recut& recut) {
     return result;
 }
 
+// Without messages; corners are those of the triangles that the quads were made of.
+Isomorphism match_with_quads(const diagonals::Recut& recut, ExactOptions options, double begin) {
+    options.progress = part_of(options.progress, begin, 1);
+    Isomorphism found = match_coned(recut.source.mesh, recut.target.mesh, options);
+    if (found.result.identical)
+        found.result.target_corner_from_source =
+            in_input_order(found.result.target_corner_from_source, recut);
+    return found;
+}
+
 }  // namespace
 
 ExactResult match_polygons(MeshView source, MeshView target, const ExactOptions& options) {
@@ -133,12 +143,11 @@ ExactResult match_recut(MeshView source, MeshView target, const ExactOptions& op
         differing.difference = why_not;
         return differing;
     }
-    ExactOptions rest = options;
-    rest.progress = part_of(options.progress, 0.5, 1);
-    Isomorphism found = match_coned(recut->source.mesh, recut->target.mesh, rest);
+    Isomorphism found = match_with_quads(*recut, options, 0.5);
     ExactResult& result = found.result;
     if (!result.identical) return std::move(result);
-    result.target_corner_from_source = in_input_order(result.target_corner_from_source, *recut);
+    if (const auto all = diagonals::with_known_quads(source, target, result.target_from_source))
+        found = match_with_quads(*all, options, 0.75);
     found.source.faces = "triangles";
     found.source.n_faces = source.n_triangles();
     found.source.n_reversed = result.reversed_triangles;

@@ -4,6 +4,7 @@
 // Teeth and claws that connectivity does not tell apart stay with their limb.
 #include "support/edits.hpp"
 #include "support/ogre.hpp"
+#include "support/polygons.hpp"
 
 #include <counterpart/match/choose_method.hpp>
 #include <counterpart/match/exact.hpp>
@@ -121,6 +122,31 @@ TEST(AlikeParts, ThatAreNearlySoDoNotTurnByWhatABendDoesToLengths) {
         const ShuffleResult other = shuffle(bent, 5);
         EXPECT_EQ(match_exact(head, other.mesh).target_from_source.image(), other.shuffled_from_original)
             << seed;
+    }
+}
+
+// Of quads in one file and triangles in the other, cut along other diagonals, too.
+TEST(AlikeParts, OfQuadsAndOfTheirTrianglesMoveWithWhatTheySitIn) {
+    test::PolygonList polygons = test::polygons_of(test::with_flipped_edges(make_icosphere(3), 40, 7).mesh);
+    for (const double side : {0.35, -0.35}) {
+        const TriangleMesh ball = eye(16, 8, {side, 0.3, 0.85}, 0.2);
+        const auto n_before = static_cast<Index>(polygons.vertices.size());
+        for (Index v = 0; v < ball.n_vertices(); ++v) polygons.vertices.push_back(ball.vertices.row(v));
+        for (Index t = 0; t < ball.n_triangles(); ++t) {
+            const Index a = n_before + ball.triangles(t, 0), b = n_before + ball.triangles(t, 1),
+                        c = n_before + ball.triangles(t, 2);
+            const bool is_half = t % 14 >= 2;  // the poles' triangles come before the quads of a segment
+            if (is_half && t % 2 == 0) polygons.add({a, b, c, n_before + ball.triangles(t + 1, 2)});
+            if (!is_half) polygons.add({a, b, c});
+        }
+    }
+    const TriangleMesh head = polygons.cut();
+    for (const double bend : {0.05, 0.1, 0.2}) {
+        TriangleMesh bent = head;
+        for (Index v = 0; v < head.n_vertices(); ++v)
+            bent.vertices(v, 1) += bend * std::sin(3 * head.vertices(v, 2));
+        const ShuffleResult other = shuffle(test::cut_at_random(bent, 3), 5);
+        EXPECT_EQ(match_exact(head, other.mesh).target_from_source.image(), other.shuffled_from_original);
     }
 }
 
