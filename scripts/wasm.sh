@@ -12,6 +12,8 @@ export NODE_PATH=/usr/share/nodejs  # where Debian has what Emscripten needs of 
 scripts/wasm_libraries.sh
 cmake --preset wasm > /dev/null
 cmake --build --preset wasm --target counterpart_javascript
+command -v llvm-objdump-14 > /dev/null && # of the clang that Debian's Emscripten has
+  python3 scripts/check_wasm_loads.py build/wasm/lib*.a build/wasm/javascript/CMakeFiles/counterpart_bindings.dir/Unity/*.o
 
 package=$PWD/build/wasm/package
 rm -rf "$package"

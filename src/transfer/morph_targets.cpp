@@ -30,9 +30,10 @@ TransferredMorphTargets transfer_morph_targets(const SurfaceMap& source_from_tar
     Matrix moved(target.n_vertices(), 3 * static_cast<Eigen::Index>(morphs.size()));
     for (std::size_t i = 0; i < morphs.size(); ++i) {
         auto columns = moved.middleCols<3>(3 * static_cast<Eigen::Index>(i));
-        columns = transfer_values(source_from_target, source, morphs[i].displacements);
+        // Not in place: for WebAssembly clang 14 stores some products before it has loaded all factors.
+        const Matrix taken = transfer_values(source_from_target, source, morphs[i].displacements);
         for (Index v = 0; v < target.n_vertices(); ++v)
-            columns.row(v) = (columns.row(v) * maps[static_cast<std::size_t>(v)].transpose()).eval();
+            columns.row(v) = taken.row(v) * maps[static_cast<std::size_t>(v)].transpose();
     }
     if (result.coverage.transferred < target.n_vertices()) {
         const mesh::FillResult filled = mesh::fill_from_neighbors(Adjacency(target), moved);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 // Files in and out of the built page.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { test } from "node:test";
-import { folder as native, run } from "../../../javascript/test/native.js";
+import { bytesOf, folder as native, run } from "../../../javascript/test/native.js";
+import { writeCharacter } from "./character.js";
 import { folder, write, writePair } from "./meshes.js";
 import { canMatch, give, matched, picture, saved, text, visits } from "./visit.js";
 
@@ -60,7 +61,7 @@ test("a glTF is dropped with the buffer that it names", async () => {
   await end();
 });
 
-test("the map, the reordered mesh and a GLB are downloaded, as the program writes them", async () => {
+test("the map and the reordered mesh are downloaded, as the program writes them", async () => {
   const { source, target, truth } = writePair(70, 32);
   const { page, end } = await start();
   await give(page, source, target);
@@ -70,9 +71,22 @@ test("the map, the reordered mesh and a GLB are downloaded, as the program write
   assert.deepEqual(Uint32Array.from(map.bytes.toString().trim().split("\n"), Number), truth);
   run("reorder", source, target, "-o", "reordered.ply");
   assert.ok((await saved(page, "save-reordered")).bytes.equals(readFileSync(join(native, "reordered.ply"))));
-  const glb = await saved(page, "save-glb");
-  assert.equal(glb.bytes.toString("latin1", 0, 4), "glTF");
-  assert.ok(glb.bytes.includes("COLOR_0"));
+  await end();
+});
+
+test("a GLB with everything transferred is downloaded, as the program writes it", async () => {
+  const { source, target } = writePair(24, 16, "bare");
+  const character = writeCharacter("character.gltf", source);
+  const { page, end } = await start();
+  await give(page, character, target);
+  await matched(page);
+  writeFileSync(join(native, "map.txt"), (await saved(page, "save-map")).bytes);
+  run("transfer", character, target, "--map", "map.txt", "-o", "transferred.glb");
+  const { name, bytes } = await saved(page, "save-glb");
+  assert.equal(name, "transferred.glb");
+  for (const attribute of ["TEXCOORD_0", "COLOR_0", "JOINTS_0", "WEIGHTS_0", "targetNames", "image/png"])
+    assert.ok(bytes.includes(attribute), attribute);
+  assert.ok(bytes.equals(bytesOf("transferred.glb")));
   await end();
 });
 
