@@ -33,6 +33,14 @@ export async function costOf(page, work) {
   return seconds.sort((x, y) => y - x);
 }
 
+/** The part of the clock's time that a program which always computes gets now: 1 on an idle machine. */
+export function share() {
+  const [start, before] = [performance.now(), process.cpuUsage()];
+  const computed = () => Object.values(process.cpuUsage(before)).reduce((sum, microseconds) => sum + microseconds) / 1000;
+  while (computed() < 100);
+  return Math.min(1, computed() / (performance.now() - start));
+}
+
 export function within(context, what, value, limit) {
   context.diagnostic(`${what}: ${value.toFixed(2)}, at most ${limit.toFixed(2)}`);
   assert.ok(value <= limit, what);

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { cost, folder as native, run } from "../../../javascript/test/native.js";
-import { costOf, within } from "./cost.js";
+import { costOf, share, within } from "./cost.js";
 import { writePair } from "./meshes.js";
 import { give, resultOf, secondsOf, text, visits } from "./visit.js";
 
@@ -27,12 +27,14 @@ const words = ({ clock, threads }) =>
 
 test("the page stands within a second", async (context) => {
   const seconds = [];
-  while (seconds.length < 5 && !(Math.min(...seconds) <= 1)) {
+  for (let i = 0; i < 3; i++) {
+    const before = share();
     const { milliseconds, end } = await start();
-    seconds.push(milliseconds / 1000);
+    seconds.push(((milliseconds / 1000) * (before + share())) / 2);
+    context.diagnostic(`${(milliseconds / 1000).toFixed(2)} s by the clock`);
     await end();
   }
-  within(context, "seconds until it can be used", Math.min(...seconds), 1);
+  within(context, "seconds until it can be used, of the machine's time that it could have", Math.min(...seconds), 1);
 });
 
 for (const serviceWorkers of ["block", "allow"]) {
