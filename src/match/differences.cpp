@@ -4,6 +4,7 @@
 #include "match/differences/edits.hpp"
 #include "match/differences/growth.hpp"
 #include "match/differences/regrowth.hpp"
+#include "match/differences/regular_patches.hpp"
 #include "match/differences/triangle_pairs.hpp"
 #include "match/differences/verification.hpp"
 #include "match/symmetry/choice.hpp"
@@ -11,6 +12,7 @@
 #include <counterpart/match/differences.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -39,7 +41,9 @@ std::vector<DartPair> match_equal_components(MeshView source, MeshView target, c
 }
 
 struct SharedPart {
-    std::vector<Index> image;  // of the source vertices
+    std::vector<Index> image;    // of the source vertices
+    std::vector<Index> partner;  // of the source triangles
+    std::vector<Index> untold;   // source vertices
     bool reversed = false, ambiguous = false;
     double agreement = 0;
 };
@@ -66,7 +70,10 @@ SharedPart find_shared_part(MeshView source, MeshView target, const DartMap& a, 
     report_progress(progress, 0.7);
     map = differences::regrown(source_side, target_side, std::move(found.image), prediction,
                                [&] { report_progress(progress, 0.8); });
-    return {std::move(map), match.reversed, match.ambiguous, found.agreement};
+    std::vector<Index> partners = differences::match_triangles(source, target, map);
+    std::vector<Index> untold = differences::untold_vertices(source_side, target, map, partners);
+    return {std::move(map), std::move(partners), std::move(untold),
+            match.reversed, match.ambiguous,     found.agreement};
 }
 
 void list_unmatched(MeshView source, MeshView target, const std::vector<Index>& partner,
@@ -105,6 +112,12 @@ std::vector<Index> matched_vertices(const VertexMap& map) {
     return matched;
 }
 
+std::vector<Index> united(const std::vector<Index>& a, const std::vector<Index>& b) {
+    std::vector<Index> both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    return both;
+}
+
 std::string summarize(MeshView source, MeshView target, const MeshDifferences& differences) {
     if (differences.n_matched_triangles == 0)
         return "the two meshes share no part that chance would not explain: they do not come from one mesh";
@@ -135,12 +148,13 @@ MeshDifferences find(MeshView source, MeshView target, const Progress& progress)
     differences.is_ambiguous = shared.ambiguous;
     differences.agreement = shared.agreement;
     differences.target_from_source = VertexMap(std::move(shared.image), target.n_vertices());
-    const std::vector<Index> partner =
-        differences::match_triangles(source, target, differences.target_from_source.image());
+    const std::vector<Index>& partner = shared.partner;
+    differences.untold = std::move(shared.untold);
     differences.uncertain =
-        shared.ambiguous
-            ? matched_vertices(differences.target_from_source)
-            : differences::weakly_supported(source, target, partner, differences.target_from_source.image());
+        shared.ambiguous ? matched_vertices(differences.target_from_source)
+                         : united(differences.untold,
+                                  differences::weakly_supported(source, target, partner,
+                                                                differences.target_from_source.image()));
     list_unmatched(source, target, partner, differences);
     const auto regions = differences::matched_regions(a, partner);
     if (!regions.empty()) differences.largest_region = static_cast<Index>(regions[0].size());

@@ -5,6 +5,7 @@
 #include "match/partial/cleaned.hpp"
 #include "match/partial/confidence.hpp"
 #include "match/partial/fused.hpp"
+#include "match/partial/mirror_image.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
 #include "match/partial/race.hpp"
@@ -247,6 +248,14 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
     counterpart::require_valid(source);
     counterpart::require_valid(target);
     require_valid(options, source, target);
+    if (options.mirrored) {
+        PartialOptions of_image = options;
+        of_image.mirrored = false;
+        PartialResult result =
+            match_partial(source, mirror_image(target, options.up, options.facing), of_image);
+        result.mirrored = true;
+        return result;
+    }
     return with_progress(options.progress, [&](const ProgressRange& progress) {
         return with_threads(options.n_threads, [&] {
             Stopwatch watch;

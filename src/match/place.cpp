@@ -11,6 +11,7 @@
 #include <counterpart/mesh/measure.hpp>
 
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -38,6 +39,13 @@ double confidence_at(double squared_distance, double reach) {
     return most * left * left;
 }
 
+std::string what_lies(const PlaceResult& found) {
+    if (!coincides(found)) return "the surfaces do not lie";
+    if (found.source_share < coinciding_share) return "the target shows a part of the source and lies";
+    if (found.target_share < coinciding_share) return "the source shows a part of the target and lies";
+    return "the surfaces lie";
+}
+
 PlaceResult by_surfaces(MeshView source, MeshView target) {
     if (!(surface_area(source) > 0) || !(surface_area(target) > 0))
         throw UnsuitableMesh("a mesh has no area: what lies in the same place cannot be seen");
@@ -45,17 +53,22 @@ PlaceResult by_surfaces(MeshView source, MeshView target) {
     PlaceResult result;
     result.source_share = found.source_share;
     result.target_share = found.target_share;
+    result.agreement = found.agreement;
     result.reach = found.reach;
     place::Closest closest = place::closest_part_by_part(source, target, result.reach);
+    const bool target_is_part =
+        result.target_share >= coinciding_share && result.source_share < coinciding_share;
+    for (std::size_t v = 0; v < closest.vertex.size() && target_is_part; ++v)
+        if (closest.squared_distance[v] > result.reach * result.reach)
+            closest.vertex[v] = VertexMap::unmatched;
     result.target_from_source = VertexMap(std::move(closest.vertex), target.n_vertices());
     result.confidence.resize(source.n_vertices());
     for (Index v = 0; v < source.n_vertices(); ++v)
         result.confidence[v] = confidence_at(closest.squared_distance[to_size(v)], result.reach);
     result.sentence = fmt::format(
-        "the surfaces {} in the same place: {:.0f} % of the source and {:.0f} % of the target are within "
-        "{:.3g} of the other",
-        coincides(result) ? "lie" : "do not lie", 100 * result.source_share, 100 * result.target_share,
-        result.reach);
+        "{} in the same place: {:.0f} % of the source and {:.0f} % of the target are within {:.3g} of the "
+        "other",
+        what_lies(result), 100 * result.source_share, 100 * result.target_share, result.reach);
     return result;
 }
 

@@ -30,8 +30,11 @@ struct MeshDifferences {
     /// Shares of the vertices of each mesh that are matched, in [0, 1].
     double source_share = 0, target_share = 0;
     /// Matched source vertices to doubt: fewer than two of their triangles, or less than half, have a
-    /// counterpart, so that place alone decided.
+    /// counterpart, so that place alone decided; or they are untold.
     std::vector<Index> uncertain;
+    /// Matched source vertices in regular patches (grids, lattices) that touch what differs and of which
+    /// lengths do not say that they are the same.
+    std::vector<Index> untold;
     /// Without a counterpart, in increasing order.
     std::vector<Index> source_vertices, target_vertices, source_triangles, target_triangles;
     std::vector<Edit> edits;  ///< the same, place by place

@@ -39,6 +39,9 @@ struct PartialOptions {
     std::vector<std::pair<Index, Index>> excluded{};
     bool aligned = false;
     Eigen::Vector3d up = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();
+    /// The target is read as a mirror image: the map reverses the orientation, left to left of a part of a
+    /// left bone and a right one. Not with `aligned`.
+    bool mirrored = false;
     int n_samples = 900;  ///< farthest-point samples of the whole, 200 .. 5000; a quarter as many of the part
     int n_alternatives = 3;  ///< runners-up to report, 0 .. 10
     std::uint64_t seed = 0;  ///< of the groups that are tried; good maps do not depend on it
@@ -60,6 +63,7 @@ struct PartialResult {
     /// is so.
     Vector confidence;
     Part part = Part::unknown;                  ///< as given or as seen; never unknown
+    bool mirrored = false;                      ///< the map reverses the orientation, as it was asked for
     double scale = 1;                           ///< by which the source was multiplied
     double source_share = 0, target_share = 0;  ///< of the area with a partner
     /// How alike the matched surfaces look, in [0, 1]: right maps reach about 0.6 and more. Of two whole

@@ -41,9 +41,9 @@ class Deciding {
         : source_(source), target_(target), options_(options), progress_(progress), watch_(watch) {}
 
     Decision run() {
-        if (is_for_spectral(options_))
-            reason() = is_mirror_asked(options_.spectral) ? "the mirrored map was asked for"
-                                                          : "a map is given to be refined";
+        if (is_map_given(options_))
+            reason() = is_mirror_wanted(options_) ? "the mirrored map was asked for"
+                                                  : "a map is given to be refined";
         else if (has_landmarks(options_))
             reason() = "landmarks are given";
         else if (by_connectivity())
@@ -69,6 +69,10 @@ class Deciding {
         try {
             if (is_exact()) {
                 reason() = "the meshes have the same connectivity";
+                if (decision_.exact->mirrored && options_.spectral.mirror == Mirror::never) {
+                    reason() += ", but one is the mirror image of the other";
+                    return false;
+                }
                 return fits(*decision_.exact) && agrees(decision_.exact->target_from_source);
             }
             reason() = "the connectivity differs: " + decision_.exact->difference;
@@ -115,13 +119,21 @@ class Deciding {
 
     // Vertices at the same places, or both surfaces as far as either reaches.
     bool is_in_place() {
-        if (!same_places_ && !is_suitable([&] { same_places_ = place::coincide(source_, target_); }))
-            return false;
+        if (!same_places_ && !is_suitable([&] { same_places_ = lie_on_each_other(); })) return false;
         if (!same_places_) return false;
         decision_.place = match_place(source_, target_, {.n_threads = options_.n_threads, .progress = {}});
         watch_.lap("place");
         reason() += "; " + decision_.place->sentence;
         return agrees(decision_.place->target_from_source);
+    }
+
+    bool lie_on_each_other() const {
+        const place::Coincidence found = place::measure_coincidence(source_, target_);
+        PlaceResult shares;
+        shares.source_share = found.source_share;
+        shares.target_share = found.target_share;
+        shares.agreement = found.agreement;
+        return coincides(shares);
     }
 
     bool agrees(const VertexMap& map) {
@@ -154,7 +166,7 @@ class Deciding {
 
     // Whether the spectral method, which is for whole surfaces, should not be asked.
     bool is_partial() {
-        if (is_for_spectral(options_)) return false;
+        if (options_.spectral.initial) return false;
         const bool is_said = options_.partial.part != Part::unknown;
         const double open = std::max(surface_match::openness(source_), surface_match::openness(target_));
         if (is_said) {
@@ -168,8 +180,12 @@ class Deciding {
     }
 
     void require_suitable_for_partial() const {
-        partial_match::cleaned(source_, "source");
-        partial_match::cleaned(target_, "target");
+        const auto source = partial_match::cleaned(source_, "source"),
+                   target = partial_match::cleaned(target_, "target");
+        const PartialOptions options = partial_options(options_);
+        if (options.part != Part::neither)
+            partial_match::require_room_for_distances(
+                source, target, options.n_samples + static_cast<int>(options.landmarks.size()));
     }
 
     void require_suitable_for_spectral() const {
@@ -228,6 +244,7 @@ SpectralOptions spectral_options(const MatchOptions& options) {
     }
     if (result.excluded.empty()) result.excluded = partial.excluded;
     result.aligned = result.aligned || partial.aligned;
+    result.symmetric = result.symmetric || partial.mirrored;
     if (result.up.isZero(0)) result.up = partial.up;
     if (result.facing.isZero(0)) result.facing = partial.facing;
     return result;
@@ -243,6 +260,7 @@ PartialOptions partial_options(const MatchOptions& options) {
     result.aligned = known.aligned;
     result.up = known.up;
     result.facing = known.facing;
+    result.mirrored = is_mirror_wanted(options);
     return result;
 }
 

@@ -32,7 +32,9 @@ void refuse_unfollowed(const MatchOptions& options, MatchMethod method) {
     };
     const Methods followed = {MatchMethod::spectral, MatchMethod::partial};
     refuse(has_landmarks(options), "landmarks", followed);
-    refuse(is_mirror_asked(spectral), "the mirrored map", {MatchMethod::spectral});
+    refuse(is_mirror_wanted(options), "the mirrored map", followed);
+    refuse(spectral.mirror == Mirror::never, "mirror=never",
+           {MatchMethod::spectral, MatchMethod::partial, MatchMethod::exact, MatchMethod::place});
     refuse(spectral.initial.has_value(), "initial", {MatchMethod::spectral});
     // Under automatic the maps of connectivity and of place are taken only where they agree.
     const bool is_checked =
@@ -46,8 +48,12 @@ void refuse_unfollowed(const MatchOptions& options, MatchMethod method) {
 
 }  // namespace
 
-bool is_for_spectral(const MatchOptions& options) {
-    return is_mirror_asked(options.spectral) || options.spectral.initial.has_value();
+bool is_mirror_wanted(const MatchOptions& options) {
+    return is_mirror_asked(options.spectral) || options.partial.mirrored;
+}
+
+bool is_map_given(const MatchOptions& options) {
+    return is_mirror_wanted(options) || options.spectral.initial.has_value();
 }
 
 bool has_landmarks(const MatchOptions& options) {
@@ -77,7 +83,7 @@ std::vector<Message> unused_options(const MatchOptions& options, MatchMethod met
     note(options.partial.part != Part::unknown, "part", knowing_parts);
     note(options.partial.same_scale, "same_scale", knowing_parts);
     const bool exact_is_tried =
-        options.method == MatchMethod::automatic && !is_for_spectral(options) && !has_landmarks(options);
+        options.method == MatchMethod::automatic && !is_map_given(options) && !has_landmarks(options);
     if (!exact_is_tried) {
         note(options.exact.allow_mirror, "allow_mirror", {MatchMethod::exact});
         note(options.exact.weld_distance >= 0, "weld_distance", {MatchMethod::exact});

@@ -10,7 +10,8 @@ namespace counterpart::choice {
 
 /// What is said of the map: the mirrored one is wanted, or one is given to be refined, or pairs are known.
 /// Connectivity is not asked then.
-bool is_for_spectral(const MatchOptions& options);
+bool is_mirror_wanted(const MatchOptions& options);
+bool is_map_given(const MatchOptions& options);
 bool has_landmarks(const MatchOptions& options);
 
 /// A notice for each option that differs from its default and that the method, as asked for or as chosen,

@@ -45,6 +45,7 @@ SpectralOptions as_of_spectral(const PartialOptions& options) {
     result.aligned = options.aligned;
     result.up = options.up;
     result.facing = options.facing;
+    result.symmetric = options.mirrored;
     result.n_alternatives = options.n_alternatives;
     return result;
 }

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "match/place/surface.hpp"
+#include "mesh/edge_table.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/place.hpp>
@@ -42,6 +43,22 @@ std::vector<Sample> spread_samples(const Surface& surface, std::size_t count) {
     return samples;
 }
 
+std::vector<char> on_boundary(MeshView mesh) {
+    std::vector<char> result(static_cast<std::size_t>(mesh.n_vertices()), 0);
+    for (const auto& [v, w] : mesh::boundary_edges(mesh::EdgeTable(mesh)))
+        result[static_cast<std::size_t>(v)] = result[static_cast<std::size_t>(w)] = 1;
+    return result;
+}
+
+bool lies_on_boundary(const numerics::ClosestPoint& point, MeshView mesh, const std::vector<char>& ends) {
+    constexpr double rounding = 1e-9;
+    for (Index c = 0; c < 3; ++c)
+        if (point.weights[c] > rounding &&
+            ends[static_cast<std::size_t>(mesh.triangles(point.triangle, c))] == 0)
+            return false;
+    return true;
+}
+
 double reach_of(const Surface& source, const Surface& target) {
     constexpr double of_size = 0.005, of_edge = 0.25, most_of_size = 0.02;
     const double size = std::sqrt(std::min(source.areas.sum(), target.areas.sum())),
@@ -49,28 +66,42 @@ double reach_of(const Surface& source, const Surface& target) {
     return std::clamp(of_edge * edge, of_size * size, most_of_size * size);
 }
 
-// Of samples; of a few only, where these say that it is far below a half.
-double share_within(const Surface& from, const Surface& to, double reach) {
+struct Shares {
+    double within = 0;     // of all samples
+    double agreement = 0;  // of those that the other surface passes by at all
+};
+
+// Samples that face the same way within reach of the other surface, and those that it passes by farther off;
+// not where it ends. Of a few only, where these say that it is far below a half.
+Shares shares_of(const Surface& from, const Surface& to, double reach) {
     constexpr std::size_t count = 2000, few = 100;
-    constexpr double hopeless = 0.4;
+    constexpr double hopeless = 0.4, passing_by = 4;
     const std::vector<Sample> samples = spread_samples(from, count);
-    std::vector<char> is_near(samples.size(), 0);
-    const auto share_of_every = [&](std::size_t stride) {
+    const std::vector<char> ends = on_boundary(to.mesh);
+    enum : char { near, beside, elsewhere };
+    std::vector<char> where(samples.size(), elsewhere);
+    const auto shares_of_every = [&](std::size_t stride) {
         const std::size_t n = (samples.size() + stride - 1) / stride;
         parallel_for(n, 64, [&](std::size_t k) {
             const Sample& sample = samples[k * stride];
-            const auto point = to.closest.closest(sample.position, sample.normal, same_way, reach);
-            is_near[k] = point.triangle >= 0 ? 1 : 0;
+            const auto point =
+                to.closest.closest(sample.position, sample.normal, same_way, passing_by * reach);
+            where[k] = point.triangle < 0                        ? elsewhere
+                       : point.squared_distance <= reach * reach ? near
+                       : lies_on_boundary(point, to.mesh, ends)  ? elsewhere
+                                                                 : beside;
         });
-        const auto end = is_near.begin() + static_cast<std::ptrdiff_t>(n);
-        return static_cast<double>(std::count(is_near.begin(), end, 1)) /
-               static_cast<double>(std::max<std::size_t>(n, 1));
+        const auto end = where.begin() + static_cast<std::ptrdiff_t>(n);
+        const auto n_near = static_cast<double>(std::count(where.begin(), end, near)),
+                   n_beside = static_cast<double>(std::count(where.begin(), end, beside));
+        return Shares{n_near / static_cast<double>(std::max<std::size_t>(n, 1)),
+                      n_near / std::max(n_near + n_beside, 1.0)};
     };
-    const double roughly = share_of_every(count / few);
-    return roughly < hopeless ? roughly : share_of_every(1);
+    const Shares roughly = shares_of_every(count / few);
+    return roughly.within < hopeless && roughly.agreement < coinciding_share ? roughly : shares_of_every(1);
 }
 
-// Whether the boxes overlap by more than half, in each direction.
+// Whether the boxes overlap by more than half of the smaller one, in each direction.
 bool boxes_overlap(MeshView a, MeshView b) {
     const Eigen::Array3d low_a = a.vertices.colwise().minCoeff().transpose(),
                          high_a = a.vertices.colwise().maxCoeff().transpose(),
@@ -79,8 +110,8 @@ bool boxes_overlap(MeshView a, MeshView b) {
     // Flat meshes have no extent in one direction.
     const double slack = 0.02 * std::max((high_a - low_a).maxCoeff(), (high_b - low_b).maxCoeff());
     const Eigen::Array3d common = high_a.min(high_b) - low_a.max(low_b) + slack,
-                         both = high_a.max(high_b) - low_a.min(low_b) + slack;
-    return (common > 0.5 * both).all();
+                         smaller = (high_a - low_a).min(high_b - low_b) + slack;
+    return (common > 0.5 * smaller).all();
 }
 
 }  // namespace
@@ -97,14 +128,13 @@ Coincidence measure_coincidence(MeshView source, MeshView target) {
     if (!(from.areas.sum() > 0) || !(to.areas.sum() > 0))
         throw UnsuitableMesh("a mesh has no area: what lies in the same place cannot be seen");
     Coincidence result{reach_of(from, to)};
-    result.source_share = share_within(from, to, result.reach);
-    if (result.source_share > 0) result.target_share = share_within(to, from, result.reach);
+    const Shares of_source = shares_of(from, to, result.reach);
+    if (of_source.within == 0) return result;
+    const Shares of_target = shares_of(to, from, result.reach);
+    result.source_share = of_source.within;
+    result.target_share = of_target.within;
+    result.agreement = std::min(of_source.agreement, of_target.agreement);
     return result;
-}
-
-bool coincide(MeshView source, MeshView target) {
-    const Coincidence found = measure_coincidence(source, target);
-    return std::min(found.source_share, found.target_share) >= coinciding_share;
 }
 
 }  // namespace counterpart::place

@@ -263,6 +263,15 @@ std::vector<Candidate> start_candidates(const SampledPair& pair, const Candidate
     return search.best(tuning.n_pool);
 }
 
+std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count,
+                                      const CandidateTuning& tuning) {
+    std::vector<VertexPairs> starts = anchors(pair, tuning.extremities);
+    starts.resize(std::min(starts.size(), count));
+    CandidateSearch search(pair, tuning, {});
+    search.add_from_anchors(starts, false);
+    return search.best(tuning.n_pool);
+}
+
 std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,
                                        std::size_t n_flipped, const CandidateTuning& tuning,
                                        const ProgressRange& progress) {

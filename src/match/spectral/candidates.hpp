@@ -14,6 +14,11 @@ namespace counterpart::spectral_match {
 std::vector<Candidate> start_candidates(const SampledPair& pair, const CandidateTuning& tuning,
                                         const ProgressRange& progress = {});
 
+/// Of these only the starts from the `count` matchings of extremities that keep distances best, with the
+/// orientation kept: at little cost.
+std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count,
+                                      const CandidateTuning& tuning);
+
 /// Stage 2.4. Those, the first `n_flipped` and then the best varied by sign flips, and started anew from
 /// their own tips; best first, all different.
 std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,

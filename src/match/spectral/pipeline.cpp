@@ -39,11 +39,11 @@ class Reading {
         watch.lap("moves");
     }
 
-    // What a search may be expected to find, by its first steps.
-    double glance(const ProgressRange& progress, Stopwatch& watch) const {
+    // What a search may be expected to find, by its first steps; from few starts where it `is_brief`.
+    double glance(bool is_brief, const ProgressRange& progress, Stopwatch& watch) const {
         const CoarsePair coarse(whole_, whole_.tuning.race.n_coarse);
-        const double found =
-            spectral_match::first_score(coarse.level, whole_.tuning.mirror.n_first, progress, watch);
+        const double found = (is_brief ? first_score_of_few : spectral_match::first_score)(
+            coarse.level, whole_.tuning.mirror.n_first, progress, watch);
         watch.lap("mirror");
         return found;
     }
@@ -214,9 +214,9 @@ class Readings {
 
     bool is_promising(const ProgressRange& progress) {
         if (is_inside_out()) return true;
-        if (options_.initial || !priors_.empty() || score_ >= tuning_.mirror.good_score) return false;
+        if (options_.initial || !priors_.empty()) return false;
         read_in_the_mirror();
-        const double promised = in_the_mirror_->glance(progress, watch_);
+        const double promised = in_the_mirror_->glance(score_ >= tuning_.mirror.good_score, progress, watch_);
         if (promised > as_it_is_->first_score() + tuning_.mirror.promising) return true;
         in_the_mirror_.reset();
         return false;

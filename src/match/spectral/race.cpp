@@ -47,6 +47,13 @@ class Race {
         return contenders_.leader().rank();
     }
 
+    double first_score_of_few(std::size_t count) {
+        const std::vector<Candidate> few = few_candidates(few_, count, level_.tuning.candidates);
+        if (few.empty()) return -std::numeric_limits<double>::infinity();
+        enter(few, few.size(), progress_);
+        return contenders_.leader().rank();
+    }
+
   private:
     // The first schedule for those that are new; the rank of each proposal that enters, or -infinity.
     std::vector<double> enter(const std::vector<Candidate>& proposals, std::size_t most,
@@ -140,6 +147,11 @@ Contenders race(const Level& level, const ProgressRange& progress, Stopwatch& wa
 
 double first_score(const Level& level, std::size_t count, const ProgressRange& progress, Stopwatch& watch) {
     return Race(level, progress, watch).first_score(count);
+}
+
+double first_score_of_few(const Level& level, std::size_t count, const ProgressRange& progress,
+                          Stopwatch& watch) {
+    return Race(level, progress, watch).first_score_of_few(count);
 }
 
 }  // namespace counterpart::spectral_match

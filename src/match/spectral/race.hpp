@@ -18,4 +18,8 @@ Contenders race(const Level& level, const ProgressRange& progress, Stopwatch& wa
 /// whole one.
 double first_score(const Level& level, std::size_t count, const ProgressRange& progress, Stopwatch& watch);
 
+/// The same of a race that only `few_candidates` enter; -infinity where there are none.
+double first_score_of_few(const Level& level, std::size_t count, const ProgressRange& progress,
+                          Stopwatch& watch);
+
 }  // namespace counterpart::spectral_match

@@ -66,6 +66,19 @@ TEST(ChooseMethod, AFlatMeshHasNoOrderAlongItsNormal) {
     EXPECT_FALSE(contains(result.messages, MessageCode::against_request)) << lines_of(result.messages);
 }
 
+// Partial matching keeps distances from all samples: of too many it is not chosen, and the reason says so.
+TEST(ChooseMethod, AnOpenMeshOfTooManyVerticesForItsSamplesIsNotForPartial) {
+    const TriangleMesh large = make_grid(400, 250);
+    TriangleMesh small = make_icosphere(3);
+    small.triangles.conservativeResize(small.n_triangles() / 2, 3);
+    MatchOptions options = quick();
+    EXPECT_EQ(choose_method(large, small, options).method, MatchMethod::partial);
+    options.partial.n_samples = 5000;
+    const MethodChoice choice = choose_method(large, small, options);
+    EXPECT_EQ(choice.method, MatchMethod::spectral);
+    test::expect_part(choice.reason, "simplify it to at most 90000");
+}
+
 TEST(ChooseMethod, RefusesWhatMatchRefuses) {
     EXPECT_THROW(choose_method({}, chosen_for), InvalidInput);
     MatchOptions options;
@@ -136,7 +149,8 @@ TEST(ChooseMethod, ConnectivityIsNotBelievedAgainstWhatIsKnownOfTheMap) {
 TEST(ChooseMethod, PartialFollowsWhatIsKnownOfTheMap) {
     const TriangleMesh part =
         test::cut_by_plane(chosen_for, {0, 1, 0}, chosen_for.vertices.col(1).mean()).mesh;
-    const TriangleMesh other = retriangulate(chosen_for, {.seed = 4}).mesh;
+    TriangleMesh other = retriangulate(chosen_for, {.seed = 4}).mesh;
+    other.vertices.col(0).array() += 5;  // not in the same place
     MatchOptions options;
     options.partial.same_scale = true;
     options.partial.n_samples = 300;

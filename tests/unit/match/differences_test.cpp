@@ -52,6 +52,47 @@ TEST(FindDifferences, NamesARemovedVertex) {
     }
 }
 
+// A scan of which the left half is cut into triangles at random, the right half into a regular grid of so
+// many columns.
+TriangleMesh half_regular_scan(Index columns) {
+    constexpr Index left = 30, rows = 40;
+    const Index n_columns = left + columns;
+    TriangleMesh mesh{Points((n_columns + 1) * (rows + 1), 3), Triangles(2 * n_columns * rows, 3)};
+    for (Index i = 0; i <= n_columns; ++i)
+        for (Index j = 0; j <= rows; ++j) {
+            const double x = i <= left ? i : left + (i - left) * 30.0 / columns;
+            mesh.vertices.row(i * (rows + 1) + j) << x, j, 3 * std::sin(0.2 * x + 0.1 * j);
+        }
+    Index t = 0;
+    for (Index i = 0; i < n_columns; ++i)
+        for (Index j = 0; j < rows; ++j) {
+            const Index a = i * (rows + 1) + j, b = a + rows + 1, c = b + 1, d = a + 1;
+            const bool turned = i < left && (7 * i * i + 13 * j * j + i * j) % 11 < 5;
+            mesh.triangles.row(t++) << a, b, (turned ? d : c);
+            mesh.triangles.row(t++) << (turned ? b : a), c, d;
+        }
+    return mesh;
+}
+
+// Growing goes on over the grid of the right half, though the target's is another: each column drifts.
+TEST(FindDifferences, DoubtsGridsThatOnlyBeginAlike) {
+    const TriangleMesh source = half_regular_scan(30);
+    const test::DisguisedMesh target = test::shuffled(half_regular_scan(24), 3);
+    const MeshDifferences found = find_differences(source, target.mesh);
+    Index n_sure = 0, n_drifted = 0;
+    for (Index v = 0; v < source.n_vertices(); ++v) {
+        const Index image = found.target_from_source[v];
+        if (image < 0 || std::binary_search(found.uncertain.begin(), found.uncertain.end(), v)) continue;
+        ++n_sure;
+        const double away = (source.vertices.row(v) - target.mesh.vertices.row(image)).norm();
+        n_drifted += away > 2 ? 1 : 0;
+    }
+    EXPECT_GT(n_sure, 1100);  // of the left half
+    EXPECT_EQ(n_drifted, 0);
+    const test::DisguisedMesh same = test::shuffled(test::without_vertex(source, 5).mesh, 3);
+    EXPECT_TRUE(find_differences(source, same.mesh).untold.empty());
+}
+
 TEST(FindDifferences, FindsMissingFaces) {
     const TriangleMesh mesh = lopsided_sphere();
     const test::EditedMesh edited = test::with_missing_triangles(mesh, 0.05, 5);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
+#include "support/cuts.hpp"
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
 #include "support/expect_error.hpp"
@@ -93,6 +94,53 @@ TEST(Match, MeshesWithoutAreaAreMatchedByPlace) {
     expect_part(result.reason, "no area");
     EXPECT_EQ(verdict(result).advice, Advice::check);
     EXPECT_EQ(count_unmatched(result.target_from_source), 0);
+}
+
+// Wound as they should be, with the same connectivity.
+TEST(Match, AMirrorImageIsNotTakenWhereItIsExcluded) {
+    const TriangleMesh source = make_body({.subdivisions = 1});
+    const TriangleMesh target = test::mirrored(deform(source, {.bend = 0.4}));
+    EXPECT_TRUE(match(source, target, quick()).exact->mirrored);
+    MatchOptions options = quick();
+    options.spectral.mirror = Mirror::never;
+    const MatchResult result = match(source, target, options);
+    EXPECT_EQ(result.method, MatchMethod::spectral) << result.reason;
+    EXPECT_FALSE(result.spectral->mirrored);
+    options.method = MatchMethod::exact;
+    EXPECT_THROW(match(source, target, options), InvalidInput);
+    for (const MatchMethod method : {MatchMethod::frontiers, MatchMethod::nearest, MatchMethod::assignment}) {
+        options.method = method;
+        EXPECT_THROW(match(source, target, options), InvalidInput);
+    }
+}
+
+// The left half of a bone against the right bone.
+TEST(Match, TheMirroredMapOfAPart) {
+    const TriangleMesh whole = make_body({.subdivisions = 1});
+    const test::PartOfMesh part = test::cut_by_plane(whole, {0, 1, 0}, whole.vertices.col(1).mean());
+    const TriangleMesh target = test::mirrored(deform(whole, {.bend = 0.3}));
+    MatchOptions options = quick();
+    options.partial.same_scale = true;
+    options.spectral.mirror = Mirror::always;
+    const auto error = [&](const MatchResult& result) {
+        double sum = 0;
+        for (Index v = 0; v < part.mesh.n_vertices(); ++v)
+            sum += (target.vertices.row(part.whole_from_part[v]) -
+                    target.vertices.row(std::max<Index>(result.target_from_source[v], 0)))
+                       .norm();
+        return sum / part.mesh.n_vertices() / std::sqrt(surface_area(target));
+    };
+    const MatchResult result = match(part.mesh, target, options);
+    EXPECT_EQ(result.method, MatchMethod::partial) << result.reason;
+    EXPECT_TRUE(result.partial->mirrored);
+    EXPECT_LT(error(result), 0.05);
+    EXPECT_FALSE(contains(result.messages, MessageCode::handedness_unknown));
+    options.spectral.mirror = Mirror::automatic;
+    options.method = MatchMethod::partial;
+    EXPECT_FALSE(match(part.mesh, target, options).partial->mirrored);
+    // Little fits: what has not been tried is said.
+    EXPECT_TRUE(
+        contains(match(part.mesh, make_torus(40, 20), options).messages, MessageCode::handedness_unknown));
 }
 
 TEST(Match, TheMirroredMapSkipsExact) {

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Meshes that lie in the same place.
+#include "support/cuts.hpp"
 #include "support/disguise.hpp"
 #include "support/edits.hpp"
+#include "support/messages.hpp"
 #include "support/polygons.hpp"
 #include "support/quick_match.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/match.hpp>
+#include <counterpart/match/verdict.hpp>
+#include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
 
@@ -124,6 +128,37 @@ TEST(MatchPlace, OtherPosesAndOtherPlacesDoNotCoincide) {
     EXPECT_TRUE(coincides(match_place(body, other)));
     EXPECT_FALSE(coincides(match_place(body, deform(other, {.bend = 0.4}))));
     EXPECT_FALSE(coincides(match_place(body, test::moved(other, 1))));
+}
+
+// A scan's part, triangulated anew, as the first file of two and as the second.
+TEST(MatchPlace, APartLiesWhereItWasCut) {
+    const TriangleMesh body = make_body({.subdivisions = 1});
+    const double middle = body.vertices.col(1).mean();
+    const TriangleMesh whole = retriangulate(body, {.kept_share = 0.7}).mesh,
+                       part = test::cut_by_plane(body, {0, 1, 0}, middle).mesh;
+    const MatchResult from_part = match(part, whole, quick());
+    ASSERT_EQ(from_part.method, MatchMethod::place) << from_part.reason;
+    test::expect_part(from_part.reason, "the source shows a part of the target");
+    const double edge = mean_edge_length(whole);
+    for (Index v = 0; v < part.n_vertices(); ++v)
+        EXPECT_LT((part.vertices.row(v) - whole.vertices.row(from_part.target_from_source[v])).norm(),
+                  3 * edge);
+    EXPECT_EQ(verdict(from_part).advice, Advice::use) << test::lines_of(from_part.messages);
+
+    const MatchResult from_whole = match(whole, part, quick());
+    ASSERT_EQ(from_whole.method, MatchMethod::place) << from_whole.reason;
+    Index n_cut = 0, n_kept = 0, n_lost = 0;
+    for (Index v = 0; v < whole.n_vertices(); ++v) {
+        const Index image = from_whole.target_from_source[v];
+        const double above = whole.vertices(v, 1) - middle;
+        if (above < -edge && image != VertexMap::unmatched) ++n_cut;
+        if (above > edge) ++(image == VertexMap::unmatched ? n_lost : n_kept);
+    }
+    EXPECT_EQ(n_cut, 0);
+    EXPECT_GT(n_kept, 0);
+    EXPECT_LT(n_lost, 0.1 * n_kept);
+    EXPECT_EQ(verdict(from_whole).advice, Advice::use) << test::lines_of(from_whole.messages);
+    EXPECT_FALSE(coincides(match_place(part, test::moved(whole, 1))));
 }
 
 // Connectivity is alike in 60 ways, of which none lays the blob on itself.

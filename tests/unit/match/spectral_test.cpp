@@ -263,6 +263,9 @@ TEST(MatchSpectral, AMirroredShapeIsReadInTheMirror) {
     EXPECT_TRUE(contains(result.messages, MessageCode::mirror_image));
     EXPECT_LT(mean_error(result.target_from_source, identity_map(source.n_vertices()), target), 3.0);
     EXPECT_FALSE(spectral_match::match(a, a, SpectralOptions{}, tuning).mirrored);
+    tuning.mirror.good_score = 0;  // it may be brief, as for hands, of which the back is like the palm
+    EXPECT_TRUE(spectral_match::match(a, b, SpectralOptions{}, tuning).mirrored);
+    EXPECT_FALSE(spectral_match::match(a, a, SpectralOptions{}, tuning).mirrored);
     EXPECT_FALSE(spectral_match::match(a, b, {.mirror = Mirror::never}, tuning).mirrored);
     EXPECT_TRUE(match_spectral(source, source, {.mirror = Mirror::always}, small).mirrored);
     EXPECT_THROW(match_spectral(source, source, {.mirror = Mirror::never, .symmetric = true}, small),
