@@ -5,10 +5,9 @@
 import multiprocessing
 import sys
 
+import counterpart3d as cp
 import numpy as np
 import pytest
-
-import counterpart3d as cp
 
 
 def matched(_):
