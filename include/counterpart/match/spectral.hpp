@@ -64,8 +64,8 @@ class SpectralShape {
 
 /// Whether the target may be the mirror image of what the source shows: a left bone and a right one.
 enum class Mirror {
-    automatic,  ///< both readings are tried where the first does not fit well; the better one is taken if
-                ///< clear
+    automatic,  ///< both readings are searched where a glance at the second promises more; it is taken if
+                ///< clearly better
     never,      ///< the map keeps the orientation
     always,     ///< the map reverses the orientation: left to right on a symmetric body
 };

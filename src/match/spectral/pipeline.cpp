@@ -138,8 +138,8 @@ class Readings {
           watch_(watch),
           priors_(make_priors(source, target, options, tuning.priors)) {}
 
-    // Both where one mesh is inside out: badly oriented, or the mirror image of what it was; or where little
-    // fits as the meshes are and a glance at the mirror image promises more. What a person says of directions
+    // Both where one mesh is inside out: badly oriented, or the mirror image of what it was; or where a
+    // glance at the mirror image promises more. What a person says of directions
     // or landmarks tells which reading is meant.
     void search(const ProgressRange& progress) {
         const bool is_asked = is_mirror_asked(options_);

@@ -306,7 +306,7 @@ struct ConfidenceTuning {
 
 /// Whether the target is read in the mirror.
 struct MirrorTuning {
-    /// A map of so much is not a mirrored shape's: nothing is tried.
+    /// From here on the glance at the mirror image is brief: `few_candidates` from n_first matchings.
     double good_score = 1.2;
     /// Proposals of the mirrored reading that are refined at first, and how much better than the best of the
     /// other reading one must be for a search.
