@@ -74,6 +74,7 @@ PartialOptions PartialArguments::options_for(const MatchInput& input, const Spec
     result.aligned = known.aligned;
     result.up = known.up;
     result.facing = known.facing;
+    result.mirrored = is_mirror_asked(known);
     result.n_threads = input.common.threads;
     result.progress = input.progress;
     return result;
@@ -131,7 +132,7 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
             },
             true,
             {"--landmarks", "--target-landmarks", "--soft-landmarks", "--not", "--aligned", "--up",
-             "--facing", "--seed", "--alternatives", "--alternatives-output"}};
+             "--facing", "--mirror", "--symmetric", "--seed", "--alternatives", "--alternatives-output"}};
 }
 
 }  // namespace counterpart::cli

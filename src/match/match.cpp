@@ -6,6 +6,7 @@
 #include "match/differences/beyond.hpp"
 #include "match/differences/lengths_fit.hpp"
 #include "match/differences/sure_pairs.hpp"
+#include "match/partial/readings.hpp"
 #include "match/verdict/doubts.hpp"
 
 #include <counterpart/base/errors.hpp>
@@ -36,10 +37,6 @@ constexpr Index n_leading_pairs = 100;
 // Share of vertices that follow those around them, above which the map is worth a look. Of cuts and holes
 // with up to a tenth, errors are 0.1 to 0.4.
 constexpr double many_filled = 0.15;
-
-// Parts of one shape score 0.92 and more; those of other individuals 0.65 to 0.83, and the half of a bone on
-// the bone of the other side no less.
-constexpr double one_shape = 0.85;
 
 // A method that turns out not to work has already reported; the next one begins where it did.
 Progress never_decreasing(const Progress& progress) {
@@ -279,16 +276,13 @@ class Matching {
         result_.partial = better_with_sure<PartialResult>([&](bool led) {
             PartialOptions all = options;
             if (led) all.landmarks = leading_pairs_;
-            return match_partial(source_, target_, all);
+            return options_.spectral.mirror == Mirror::automatic
+                       ? partial_match::match_both_readings(source_, target_, all)
+                       : match_partial(source_, target_, all);
         });
         result_.target_from_source = result_.partial->target_from_source;
         result_.confidence = result_.partial->confidence;
         add(result_.partial->messages);
-        const bool may_be_mirrored = options_.spectral.mirror == Mirror::automatic && !options.mirrored;
-        if (may_be_mirrored && result_.partial->part != Part::neither && result_.partial->score < one_shape)
-            add({{MessageCode::handedness_unknown, Severity::notice,
-                  "whether a part shows the mirror image of the other mesh (a left bone and a right one) is "
-                  "not tried: mirror=always reads it so, and has the higher score where it does"}});
         watch_.lap("partial");
     }
 
