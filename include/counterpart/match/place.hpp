@@ -32,13 +32,14 @@ struct PlaceResult {
     std::string sentence;  ///< what was found
 };
 
-/// The share of a surface from which it lies in the same place as the other.
-inline constexpr double coinciding_share = 0.9;
+/// The share of a surface from which it lies in the same place as the other; of one that shows a part of the
+/// other, which could as well be a part of something else: of two roughly aligned faces 0.95 lie near.
+inline constexpr double coinciding_share = 0.9, part_share = 0.97;
 /// Whether one of the surfaces lies on the other: both are the same, or one shows a part of the other.
 inline bool coincides(const PlaceResult& result) {
     const auto [less, more] = std::minmax(result.source_share, result.target_share);
     return result.same_vertices || less >= coinciding_share ||
-           (more >= coinciding_share && result.agreement >= coinciding_share);
+           (more >= part_share && result.agreement >= coinciding_share);
 }
 
 /// Matches what lies in the same place, as the meshes are: a retopology, another triangulation or another
