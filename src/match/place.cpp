@@ -56,8 +56,7 @@ PlaceResult by_surfaces(MeshView source, MeshView target) {
     result.agreement = found.agreement;
     result.reach = found.reach;
     place::Closest closest = place::closest_part_by_part(source, target, result.reach);
-    const bool target_is_part =
-        result.target_share >= coinciding_share && result.source_share < coinciding_share;
+    const bool target_is_part = coincides(result) && result.source_share < coinciding_share;
     for (std::size_t v = 0; v < closest.vertex.size() && target_is_part; ++v)
         if (closest.squared_distance[v] > result.reach * result.reach)
             closest.vertex[v] = VertexMap::unmatched;

@@ -63,7 +63,7 @@ struct PartialResult {
     /// is so.
     Vector confidence;
     Part part = Part::unknown;                  ///< as given or as seen; never unknown
-    bool mirrored = false;                      ///< the map reverses the orientation, as it was asked for
+    bool mirrored = false;                      ///< the map reverses the orientation
     double scale = 1;                           ///< by which the source was multiplied
     double source_share = 0, target_share = 0;  ///< of the area with a partner
     /// How alike the matched surfaces look, in [0, 1]: right maps reach about 0.6 and more. Of two whole

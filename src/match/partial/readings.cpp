@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/readings.hpp"
 
+#include <counterpart/base/errors.hpp>
+
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,8 +12,8 @@ namespace counterpart::partial_match {
 namespace {
 
 // Parts of one shape score 0.92 and more; those of other individuals 0.65 to 0.83, and the half of a bone on
-// the bone of the other side no less. Read in the mirror the latter gains 0.09, one of bodies that are alike
-// left and right at most 0.01 where its map is right (10 pairs).
+// the bone of the other side no less. Read in the mirror the latter gains 0.09 (2 pairs), one of bodies that
+// are alike left and right at most 0.01 where its map is right (10 pairs).
 constexpr double one_shape = 0.85, clear_gain = 0.06;
 
 bool is_told(const PartialOptions& options) {
@@ -29,7 +31,12 @@ PartialResult match_both_readings(MeshView source, MeshView target, const Partia
     if (found.part == Part::neither || found.score >= one_shape) return found;
     reading.progress = part_of(options.progress, 0.5, 1);
     reading.mirrored = true;
-    PartialResult mirrored = match_partial(source, target, reading);
+    PartialResult mirrored;
+    try {
+        mirrored = match_partial(source, target, reading);
+    } catch (const NumericalError&) {  // nothing fits in the mirror: the other reading stands
+        return found;
+    }
     if (mirrored.score > found.score + clear_gain) {
         mirrored.messages.push_back(
             {MessageCode::mirror_image, Severity::notice,
