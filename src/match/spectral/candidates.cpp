@@ -265,7 +265,10 @@ std::vector<Candidate> start_candidates(const SampledPair& pair, const Candidate
 
 std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count,
                                       const CandidateTuning& tuning) {
-    std::vector<VertexPairs> starts = anchors(pair, tuning.extremities);
+    ExtremityTuning few = tuning.extremities;
+    few.n_matchings = count;
+    few.n_fine_matchings = 0;
+    std::vector<VertexPairs> starts = anchors(pair, few);
     starts.resize(std::min(starts.size(), count));
     CandidateSearch search(pair, tuning, {});
     search.add_from_anchors(starts, false);

@@ -14,8 +14,8 @@ namespace counterpart::spectral_match {
 std::vector<Candidate> start_candidates(const SampledPair& pair, const CandidateTuning& tuning,
                                         const ProgressRange& progress = {});
 
-/// Of these only the starts from the `count` matchings of extremities that keep distances best, with the
-/// orientation kept: at little cost.
+/// Of these only the starts from the `count` matchings of prominent extremities that keep distances best,
+/// with the orientation kept: at little cost.
 std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count,
                                       const CandidateTuning& tuning);
 

@@ -33,20 +33,14 @@ class Reading {
 
     // Stages 2 to 4, on coarse copies.
     void search(const ProgressRange& progress, Stopwatch& watch) {
-        const CoarsePair coarse(whole_, whole_.tuning.race.n_coarse);
-        contenders_ = race(coarse.level, progress.part(0, 0.75), watch);
-        contenders_ = move_extremities(std::move(contenders_), coarse.level, progress.part(0.75, 1));
+        coarse_.emplace(whole_, whole_.tuning.race.n_coarse);
+        contenders_ = race(coarse_->level, progress.part(0, 0.75), watch);
+        contenders_ = move_extremities(std::move(contenders_), coarse_->level, progress.part(0.75, 1));
         watch.lap("moves");
     }
 
-    // What a search may be expected to find, by its first steps; from few starts where it `is_brief`.
-    double glance(bool is_brief, const ProgressRange& progress, Stopwatch& watch) const {
-        const CoarsePair coarse(whole_, whole_.tuning.race.n_coarse);
-        const double found = (is_brief ? first_score_of_few : spectral_match::first_score)(
-            coarse.level, whole_.tuning.mirror.n_first, progress, watch);
-        watch.lap("mirror");
-        return found;
-    }
+    // What has been searched.
+    const CoarsePair& coarse() const { return *coarse_; }
     double first_score() const { return contenders_.first_score; }
     double score() const { return contenders_.leader().rank(); }
     // The best map that was searched, not polished.
@@ -93,6 +87,7 @@ class Reading {
 
     const Priors priors_;
     const Level whole_;
+    std::optional<CoarsePair> coarse_;
     Contenders contenders_;
 };
 
@@ -147,12 +142,8 @@ class Readings {
             score_ = search(as_it_is_.emplace(source_, target_, priors_, tuning_), progress.part(0, 0.6));
         if (is_asked || (options_.mirror == Mirror::automatic && is_promising(progress.part(0.6, 0.7)))) {
             read_in_the_mirror();
-            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, is_asked ? 1 : 0.9));
+            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, 1));
         }
-        if (as_it_is_ && in_the_mirror_ && !is_inside_out() && mirrored_score_ > score_ + least_gain() &&
-            (is_like_its_mirror_image(source_, progress.part(0.9, 0.95)) ||
-             is_like_its_mirror_image(target_, progress.part(0.95, 1))))
-            in_the_mirror_.reset();
         is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain());
     }
 
@@ -201,25 +192,30 @@ class Readings {
         return reading.score();
     }
 
-    // Of a body that is alike left and right both readings fit, and poses decide which does better. A left
-    // bone is less like its own mirror image than a right one of somebody else is.
-    bool is_like_its_mirror_image(const PreparedShape& shape, const ProgressRange& progress) {
-        const PreparedShape mirror = mirrored(shape);
-        Reading reading(shape, mirror, nothing_known, tuning_);
-        reading.search(progress, watch_);
-        return reading.score() >= mirrored_score_;
-    }
-
     bool is_inside_out() const { return source_.origin.was_inside_out != target_.origin.was_inside_out; }
 
+    // Of a body that is alike left and right both readings fit: it says nothing that one promises more. A
+    // left bone is less like its own mirror image than a right one of somebody else is.
     bool is_promising(const ProgressRange& progress) {
         if (is_inside_out()) return true;
         if (options_.initial || !priors_.empty()) return false;
-        read_in_the_mirror();
-        const double promised = in_the_mirror_->glance(score_ >= tuning_.mirror.good_score, progress, watch_);
-        if (promised > as_it_is_->first_score() + tuning_.mirror.promising) return true;
-        in_the_mirror_.reset();
-        return false;
+        const PreparedShape &a = as_it_is_->coarse().a.shape, &b = as_it_is_->coarse().b.shape;
+        const double promised = glance_at_mirror_image(a, b, progress.part(0, 0.4));
+        return promised > as_it_is_->first_score() + tuning_.mirror.promising &&
+               glance_at_mirror_image(a, a, progress.part(0.4, 0.7)) < promised &&
+               glance_at_mirror_image(b, b, progress.part(0.7, 1)) < promised;
+    }
+
+    // What a search from A to the mirror image of B may be expected to find, by its first steps.
+    double glance_at_mirror_image(const PreparedShape& a, const PreparedShape& b,
+                                  const ProgressRange& progress) {
+        const PreparedShape mirror_image = mirrored(b);
+        const Level level(a, mirror_image, nothing_known, tuning_);
+        const bool is_brief = score_ >= tuning_.mirror.good_score;
+        const double found =
+            (is_brief ? first_score_of_few : first_score)(level, tuning_.mirror.n_first, progress, watch_);
+        watch_.lap("mirror");
+        return found;
     }
 
     void read_in_the_mirror() {
