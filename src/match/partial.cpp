@@ -4,6 +4,7 @@
 #include "base/to_size.hpp"
 #include "match/partial/cleaned.hpp"
 #include "match/partial/confidence.hpp"
+#include "match/partial/extent.hpp"
 #include "match/partial/fused.hpp"
 #include "match/partial/mirror_image.hpp"
 #include "match/partial/overlap.hpp"
@@ -61,14 +62,14 @@ TriangleMesh in_units(MeshView mesh, double unit) {
 // One pair of meshes: the part is bent onto the whole, whichever of them is the source.
 class PartialMatching {
   public:
-    /// `part` is known, and not neither.
-    PartialMatching(Preprocessed source, Preprocessed target, Part part, const PartialOptions& options,
-                    Stopwatch watch, const ProgressRange& progress)
+    /// `part` is known, and not neither. The meshes must outlive this.
+    PartialMatching(const Preprocessed& source, const Preprocessed& target, Part part,
+                    const PartialOptions& options, Stopwatch watch, const ProgressRange& progress)
         : options_(options),
           progress_(progress),
           watch_(std::move(watch)),
-          source_(std::move(source)),
-          target_(std::move(target)),
+          source_(source),
+          target_(target),
           bends_source_(part == Part::source ||
                         (part == Part::both &&
                          surface_match::openness(source_.mesh) >= surface_match::openness(target_.mesh))) {
@@ -219,7 +220,7 @@ class PartialMatching {
     const ProgressRange& progress_;
     const PartialTuning tuning_;
     Stopwatch watch_;
-    Preprocessed source_, target_;
+    const Preprocessed &source_, &target_;
     bool bends_source_;
     double scale_ = 1;  // by which the part is multiplied, relative to the whole
     std::optional<Surface> part_, whole_;
@@ -259,15 +260,24 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
     return with_progress(options.progress, [&](const ProgressRange& progress) {
         return with_threads(options.n_threads, [&] {
             Stopwatch watch;
-            Preprocessed a = cleaned(source, "source"), b = cleaned(target, "target");
+            const Preprocessed a = cleaned(source, "source"), b = cleaned(target, "target");
             const Part part = options.part == Part::unknown ? seen_part(a.mesh, b.mesh) : options.part;
             const int n_samples = options.n_samples + static_cast<int>(options.landmarks.size());
             if (part != Part::neither) require_room_for_distances(a, b, n_samples);
             watch.lap("clean");
             if (part == Part::neither)
-                return match_fused(source, target, options, {}, std::move(watch), progress);
-            return PartialMatching(std::move(a), std::move(b), part, options, std::move(watch), progress)
-                .run();
+                return match_fused(source, target, options, {}, {}, std::move(watch), progress);
+            const bool may_be_whole = options.part == Part::unknown && part == Part::both;
+            PartialResult found = PartialMatching(a, b, part, options, std::move(watch),
+                                                  progress.part(0, may_be_whole ? 0.8 : 1))
+                                      .run();
+            if (!may_be_whole ||
+                !show_the_same_region(a, b, found.target_from_source, found.source_from_target))
+                return found;
+            PartialResult whole = match_fused(source, target, options, std::move(found.target_from_source),
+                                              {}, Stopwatch(), progress.part(0.8, 1));
+            whole.stages.insert(whole.stages.begin(), found.stages.begin(), found.stages.end());
+            return whole;
         });
     });
 }

@@ -20,7 +20,8 @@ enum class Part {
     source,   ///< every source vertex has a partner, not every target vertex
     target,   ///< every target vertex has a partner, not every source vertex
     both,     ///< parts that overlap: neither
-    neither,  ///< two whole surfaces, of which one may be fused where it touches itself
+    neither,  ///< two whole surfaces, of which one may be fused where it touches itself; of open ones, where
+              ///< both are found to show the same region
 };
 /// "unknown", "source", ...
 std::string to_string(Part part);

@@ -37,8 +37,10 @@ void add_touching(Subject subject, const std::vector<Index>& vertices, std::vect
 }  // namespace
 
 PartialResult match_fused(MeshView source, MeshView target, const PartialOptions& options,
-                          const PartialTuning& tuning, Stopwatch watch, const ProgressRange& progress) {
-    const SpectralOptions matching = as_of_spectral(options);
+                          std::optional<VertexMap> initial, const PartialTuning& tuning, Stopwatch watch,
+                          const ProgressRange& progress) {
+    SpectralOptions matching = as_of_spectral(options);
+    matching.initial = std::move(initial);
     SpectralResult found = spectral_match::match(source, target, matching,
                                                  {.n_samples = options.n_samples, .seed = options.seed},
                                                  progress.part(0, 0.98), std::move(watch));

@@ -136,6 +136,21 @@ TEST_F(MatchPartial, PartsThatOverlap) {
     EXPECT_EQ(match_partial(b.mesh, a.mesh, known).source_from_target, result.target_from_source);
 }
 
+TEST_F(MatchPartial, TwoThatShowTheSameRegionAreWhole) {
+    const double knees = whole.vertices.col(1).mean() - 0.5 * length;
+    const test::PartOfMesh a = test::cut_by_plane(whole, {0, 1, 0}, knees);
+    test::PartOfMesh b = test::cut_by_plane(other_rest, {0, 1, 0}, knees);
+    b.mesh.vertices = other.vertices(b.whole_from_part.image(), Eigen::all);
+    const PartialResult result = match_partial(a.mesh, b.mesh, known);
+    EXPECT_EQ(result.part, Part::neither);
+    EXPECT_EQ(count_matched(result.target_from_source), a.mesh.n_vertices());
+    const VertexMap on_other = compose_maps(result.target_from_source, b.whole_from_part);
+    EXPECT_LT(error(on_other, a.whole_from_part), 1.5);
+    PartialOptions as_parts = known;
+    as_parts.part = Part::both;
+    EXPECT_EQ(match_partial(a.mesh, b.mesh, as_parts).part, Part::both);
+}
+
 TEST_F(MatchPartial, PartsThatDoNotOverlapAreDoubted) {
     const double knees = whole.vertices.col(1).mean() - 0.15 * length;
     const test::PartOfMesh top = upper(), legs = test::cut_by_plane(whole, {0, -1, 0}, -knees);
