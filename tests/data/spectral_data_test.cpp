@@ -67,7 +67,10 @@ INSTANTIATE_TEST_SUITE_P(RemeshedPairs, SpectralOnData,
                                                       1.2},  // ears exchanged: 1.5
                                          RemeshedPair{"faust_r", "tr_reg_001", "tr_reg_014", 2.5},
                                          RemeshedPair{"faust_r", "tr_reg_010", "tr_reg_003", 2.5},
-                                         RemeshedPair{"tosca_r", "cat0", "cat5", 2}),
+                                         RemeshedPair{"tosca_r", "cat0", "cat5", 2},
+                                         // In poses that are nearly each other's mirror image.
+                                         RemeshedPair{"scape_r", "mesh029", "mesh004", 2.5},
+                                         RemeshedPair{"tosca_r", "cat10", "cat3", 5}),
                          [](const auto& tested) { return tested.param.source; });
 
 }  // namespace

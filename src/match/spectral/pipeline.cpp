@@ -142,9 +142,10 @@ class Readings {
             score_ = search(as_it_is_.emplace(source_, target_, priors_, tuning_), progress.part(0, 0.6));
         if (is_asked || (options_.mirror == Mirror::automatic && is_promising(progress.part(0.6, 0.7)))) {
             read_in_the_mirror();
-            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, 1));
+            mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, is_asked ? 1 : 0.9));
         }
-        is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain());
+        is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain() &&
+                                      (is_inside_out() || is_clear_of_symmetry(progress.part(0.9, 1))));
     }
 
     SpectralResult finish(const ProgressRange& progress) {
@@ -173,9 +174,12 @@ class Readings {
         result.margin = std::min(result.margin, behind);
         result.messages.push_back(
             {MessageCode::close_runner_up, Severity::notice,
-             fmt::format("{} the map fits about as well (score {:.2f} against {:.2f}): it is the first "
+             fmt::format("{} the map fits {} (score {:.2f} against {:.2f}): it is the first "
                          "runner-up; mirror=never and mirror=always tell which is meant",
                          is_mirrored_ ? "without mirroring" : "onto the mirror image of the target",
+                         behind < -tuning_.mirror.close
+                             ? "better, as poses may make it of bodies that are alike left and right"
+                             : "about as well",
                          is_mirrored_ ? score_ : mirrored_score_, is_mirrored_ ? mirrored_score_ : score_)});
         if (options_.n_alternatives == 0) return;
         result.alternatives.insert(result.alternatives.begin(),
@@ -194,8 +198,25 @@ class Readings {
 
     bool is_inside_out() const { return source_.origin.was_inside_out != target_.origin.was_inside_out; }
 
-    // Of a body that is alike left and right both readings fit: it says nothing that one promises more. A
-    // left bone is less like its own mirror image than a right one of somebody else is.
+    // Of a body that is alike left and right both readings fit, and poses decide which does better. A left
+    // bone is less like its own mirror image than a right one of somebody else is.
+    bool is_clear_of_symmetry(const ProgressRange& progress) {
+        const double own = std::max(score_on_mirror_image(source_, progress.part(0, 0.5)),
+                                    score_on_mirror_image(target_, progress.part(0.5, 1)));
+        if (own >= mirrored_score_) in_the_mirror_.reset();
+        return mirrored_score_ > own + (fits_well() ? tuning_.mirror.clear_of_own : 0);
+    }
+
+    double score_on_mirror_image(const PreparedShape& shape, const ProgressRange& progress) {
+        const PreparedShape mirror_image = mirrored(shape);
+        Reading reading(shape, mirror_image, nothing_known, tuning_);
+        reading.search(progress, watch_);
+        return reading.score();
+    }
+
+    bool fits_well() const { return score_ >= tuning_.mirror.good_score; }
+
+    // Most bodies that are alike left and right show it at a glance.
     bool is_promising(const ProgressRange& progress) {
         if (is_inside_out()) return true;
         if (options_.initial || !priors_.empty()) return false;
@@ -211,9 +232,8 @@ class Readings {
                                   const ProgressRange& progress) {
         const PreparedShape mirror_image = mirrored(b);
         const Level level(a, mirror_image, nothing_known, tuning_);
-        const bool is_brief = score_ >= tuning_.mirror.good_score;
         const double found =
-            (is_brief ? first_score_of_few : first_score)(level, tuning_.mirror.n_first, progress, watch_);
+            (fits_well() ? first_score_of_few : first_score)(level, tuning_.mirror.n_first, progress, watch_);
         watch_.lap("mirror");
         return found;
     }
