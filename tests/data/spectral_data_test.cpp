@@ -70,6 +70,7 @@ INSTANTIATE_TEST_SUITE_P(RemeshedPairs, SpectralOnData,
                                          RemeshedPair{"tosca_r", "cat0", "cat5", 2},
                                          // In poses that are nearly each other's mirror image.
                                          RemeshedPair{"scape_r", "mesh029", "mesh004", 2.5},
+                                         RemeshedPair{"scape_r", "mesh033", "mesh004", 3.5},
                                          RemeshedPair{"tosca_r", "cat10", "cat3", 5}),
                          [](const auto& tested) { return tested.param.source; });
 

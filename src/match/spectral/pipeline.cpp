@@ -43,6 +43,7 @@ class Reading {
     const CoarsePair& coarse() const { return *coarse_; }
     double first_score() const { return contenders_.first_score; }
     double score() const { return contenders_.leader().rank(); }
+    double normals() const { return contenders_.leader().score.normals; }
     // The best map that was searched, not polished.
     VertexMap leader(const ProgressRange& progress) const {
         return {lifted(spread_over(whole_, contenders_.leader()), progress).b_from_a,
@@ -204,7 +205,8 @@ class Readings {
         const double own = std::max(score_on_mirror_image(source_, progress.part(0, 0.5)),
                                     score_on_mirror_image(target_, progress.part(0.5, 1)));
         if (own >= mirrored_score_) in_the_mirror_.reset();
-        return mirrored_score_ > own + (fits_well() ? tuning_.mirror.clear_of_own : 0);
+        const bool is_posed = as_it_is_->normals() < tuning_.mirror.same_pose;
+        return mirrored_score_ > own + (is_posed ? tuning_.mirror.clear_of_own : 0);
     }
 
     double score_on_mirror_image(const PreparedShape& shape, const ProgressRange& progress) {
@@ -213,8 +215,6 @@ class Readings {
         reading.search(progress, watch_);
         return reading.score();
     }
-
-    bool fits_well() const { return score_ >= tuning_.mirror.good_score; }
 
     // Most bodies that are alike left and right show it at a glance.
     bool is_promising(const ProgressRange& progress) {
@@ -232,8 +232,9 @@ class Readings {
                                   const ProgressRange& progress) {
         const PreparedShape mirror_image = mirrored(b);
         const Level level(a, mirror_image, nothing_known, tuning_);
+        const bool is_brief = score_ >= tuning_.mirror.good_score;
         const double found =
-            (fits_well() ? first_score_of_few : first_score)(level, tuning_.mirror.n_first, progress, watch_);
+            (is_brief ? first_score_of_few : first_score)(level, tuning_.mirror.n_first, progress, watch_);
         watch_.lap("mirror");
         return found;
     }

@@ -306,8 +306,7 @@ struct ConfidenceTuning {
 
 /// Whether the target is read in the mirror.
 struct MirrorTuning {
-    /// From here on a map fits well, and the glance at the mirror image is brief: `few_candidates` from
-    /// n_first matchings.
+    /// From here on the glance at the mirror image is brief: `few_candidates` from n_first matchings.
     double good_score = 1.2;
     /// Proposals of the mirrored reading that are refined at first, and how much better than the best of the
     /// other reading one must be for a search.
@@ -316,9 +315,11 @@ struct MirrorTuning {
     /// How much better the map of a mirrored search must be to be taken, and how much worse it may be to be
     /// the first runner-up.
     double clear_gain = 0.06, close = 0.06;
-    /// Where the other reading fits well: how much better than either shape on its own mirror image. Of three
-    /// bodies in poses that are each other's mirror image it is 0.05 to 0.09, of bones and hands 0.14 and
-    /// more.
+    /// Where normals agree less by the other reading, poses differ, and the map must be better by so much
+    /// than that of either shape to its own mirror image: of bodies in poses that mirror each other it is by
+    /// 0.05 to 0.09 (4 pairs, normals 0.82 to 0.89), of bones, hands and hemispheres by 0.14 and more. Warped
+    /// shapes in one pose (normals 0.93) are better by as little as 0.02.
+    double same_pose = 0.9;
     double clear_of_own = 0.11;
 };
 
