@@ -79,11 +79,12 @@ def match_pairs(pairs: list[Pair], progress: Progress) -> list[StoredMap]:
 def _lying(pair: Pair, progress: Progress) -> list[cp.SurfaceMap]:
     """The map, and a runner-up, of surfaces that lie on or near each other or can be moved so; else none."""
     ends, options = (pair.active, pair.selected), pair.options
-    touching = match_touching(*ends)
+    may_be_part = options.part in ("unknown", "source")
+    touching = match_touching(*ends, may_be_part)
     if touching is not None:
         return [touching]
     moved = match_moved(*ends, options.aligned, progress) if options.part not in DECLARED else []
-    near = None if moved else match_near(*ends)
+    near = None if moved else match_near(*ends, may_be_part)
     return moved if near is None else [near]
 
 

@@ -72,7 +72,7 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
         )
     kept = stored(selected.data)
     asked = question(surfaces[active], surfaces[selected], pairs, options)
-    if kept is not None and (kept.question != asked or not kept.fits(surfaces[active])):
+    if kept is not None and not (kept.active == active.name and kept.question == asked and kept.fits(surfaces[active])):
         kept = None
     return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, facts(active, selected), kept)
 
@@ -84,7 +84,7 @@ def facts(active, selected) -> str:
 
 
 def question(active: Surface, selected: Surface, landmarks: np.ndarray, options: Options) -> str:
-    """Two equal questions have the same answer, whatever the shapes."""
+    """Two equal questions on the same objects have the same answer, whatever shapes they get."""
     known = ",".join(f"{i}-{j}" for i, j in landmarks.tolist())
     return f"{selected.connectivity}>{active.connectivity} {known} {options.seen} {options.aligned} {options.part}"
 

@@ -15,6 +15,7 @@ import pytest
 from counterpart_extension import matching, operators
 from counterpart_extension.job import Job
 from counterpart_extension.operators.with_map import WithMap
+from counterpart_extension.panel import state
 from counterpart_extension.pairs import Options, read_pair
 from counterpart_extension.stored_map import stored
 from digest import differences, everything
@@ -106,6 +107,20 @@ def test_a_kept_map_that_names_nothing_is_made_again(hero, name):
     other.data.attributes.new(name, "FLOAT", "FACE")
     assert bpy.ops.counterpart.show(what="MAP") == {"FINISHED"}
     assert np.array_equal(before.points.triangle, stored(other.data).points.triangle)
+
+
+def test_a_kept_map_is_of_one_active_object(hero):
+    """Another one may have the same faces, as primitives have, and another shape."""
+    other, _ = c.shuffled(hero, "Other")
+    stranger = c.bare_copy(hero, "Stranger")
+    stranger.data.transform(Matrix.Diagonal((1, 1, -1, 1)))
+    c.only(stranger, other)
+    bpy.ops.counterpart.match()
+    for active in (stranger, hero):
+        c.only(active, other)
+        assert bpy.ops.counterpart.show(what="MAP", use_doubtful=True) == {"FINISHED"}
+        assert stored(other.data).active == active.name
+        assert state(other, active)[0] == stored(other.data).verdict
 
 
 class Pressed(WithMap):

@@ -84,6 +84,46 @@ def test_other_meshes_sculpted_and_moved(hero, make):
     assert worst_key(other, places) < 0.006
 
 
+@pytest.mark.parametrize("amount", [0, 0.02])
+def test_a_half_that_a_mirror_modifier_completes(hero, amount):
+    fuller = c.sculpted(hero, "Fuller", amount)
+    other = c.remeshed(fuller, "Other")
+    c.half(other)
+    transfer(hero, other)
+    places = c.places_on(fuller, other, c.positions(hero))
+    assert np.percentile(weight_errors(other, places), 95) < 0.015
+    assert worst_key(other, places) < 0.005
+
+
+def test_clothes_take_the_nearest_point_of_the_body(hero):
+    """A shirt 8 mm above it."""
+    shirt = c.remeshed(hero, "Shirt")
+    c.keep_between(shirt, "z", 0.95, 1.45)
+    skin = c.positions(shirt)
+    normals = c.read(shirt.data.vertices, "normal", 3)
+    shirt.data.vertices.foreach_set("co", (skin + 0.008 * normals).astype(np.float32).ravel())
+    shirt.data.update()
+    transfer(hero, shirt)
+    assert np.percentile(weight_errors(shirt, skin), 95) < 0.02
+    assert worst_key(shirt, skin) < 0.005
+
+
+@pytest.mark.parametrize("matrix", [Matrix(), ELSEWHERE])
+def test_loose_parts_take_from_their_likes(hero, matrix):
+    """What lies below or above is as near."""
+    other = c.remeshed(hero, "Other")
+    ours, theirs = c.add_lamp(hero, 24), c.add_lamp(other, 31)
+    for name, vertices in ours.items():
+        hero.vertex_groups.new(name=name).add(vertices.tolist(), 1, "REPLACE")
+    other.matrix_world = matrix
+    transfer(hero, other)
+    weights = c.weights_of(other, list(theirs))
+    truth = np.zeros_like(weights)
+    for column, vertices in enumerate(theirs.values()):
+        truth[vertices, column] = 1
+    assert np.abs(weights - truth).max() < 1e-6
+
+
 def test_materials_and_smooth_shading(hero):
     other = c.remeshed(hero, "Other")
     transfer(hero, other)
