@@ -58,6 +58,11 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
         raise Refused(f"'{active.name}' and '{selected.name}' share one mesh: nothing to match")
     surfaces = {obj: read_surface(obj, depsgraph if options.seen else None) for obj in (active, selected)}
     for obj, surface in surfaces.items():
+        if not len(surface.sizes):
+            raise Refused(
+                f"What the modifiers of '{obj.name}' make has no faces: instances of nodes count once 'Realize "
+                "Instances' makes faces of them; or match without modifiers"
+            )
         if not cp.vertex_areas(surface.mesh()).any():
             raise Refused(f"The faces of '{obj.name}' have no area: all their vertices lie on a line or in a point")
         if len(surface.vertices) != len(obj.data.vertices) and not (may_differ and obj == selected):

@@ -192,6 +192,14 @@ def sculpted(obj, name, amount=0.03):
     return copy
 
 
+def node_tree():
+    """Of a Geometry Nodes modifier: the tree, its input and its output, with one geometry each."""
+    tree = bpy.data.node_groups.new("Nodes", "GeometryNodeTree")
+    for side in ("INPUT", "OUTPUT"):
+        tree.interface.new_socket("Geometry", in_out=side, socket_type="NodeSocketGeometry")
+    return tree, tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+
+
 def half(obj):
     """Without what lies at x < 0, as an artist models what a Mirror modifier completes."""
     keep_between(obj, "x", 0, np.inf)

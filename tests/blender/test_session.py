@@ -15,8 +15,8 @@ import pytest
 from counterpart_extension import matching, operators
 from counterpart_extension.job import Job
 from counterpart_extension.operators.with_map import WithMap
-from counterpart_extension.panel import state
 from counterpart_extension.pairs import Options, read_pair
+from counterpart_extension.panel import state
 from counterpart_extension.stored_map import stored
 from digest import differences, everything
 from mathutils import Matrix
@@ -424,8 +424,41 @@ def test_sentences_for_what_is_no_mesh(hero):
     c.only(hero, flat)
     with pytest.raises(RuntimeError, match="'Flat' is scaled to nothing"):
         bpy.ops.counterpart.match()
+    c.only(hero, hero.parent)
+    with pytest.raises(RuntimeError, match="'Hero rig' is no mesh: deselect it"):
+        bpy.ops.counterpart.match()
+    curve = bpy.data.objects.new("Curve", bpy.data.curves.new("Curve", "CURVE"))
+    bpy.context.collection.objects.link(curve)
+    c.only(hero, curve)
+    with pytest.raises(RuntimeError, match="'Curve' is no mesh: Object > Convert > Mesh"):
+        bpy.ops.counterpart.match()
+
+
+def test_instances_that_nodes_make_are_no_faces(hero):
+    other = c.remeshed(hero, "Other")
+    tree, group_input, group_output = c.node_tree()
+    points = tree.nodes.new("GeometryNodeInstanceOnPoints")
+    tree.links.new(group_input.outputs[0], points.inputs["Points"])
+    tree.links.new(points.outputs[0], group_output.inputs[0])
+    other.modifiers.new("Crowd", "NODES").node_group = tree
+    c.only(hero, other)
+    with pytest.raises(RuntimeError, match=r"modifiers of 'Other' make has no faces.*Realize Instances"):
+        bpy.ops.counterpart.fit(seen=True)
+    assert bpy.ops.counterpart.fit() == {"FINISHED"}
+
+
+def test_when_operators_can_be_pressed(hero):
+    other = c.remeshed(hero, "Other")
     c.only(hero)
     assert not bpy.ops.counterpart.match.poll()
+    c.only(hero.parent, other)  # the active one is no mesh
+    assert not bpy.ops.counterpart.match.poll()
+    c.only(hero, other)
+    assert bpy.ops.counterpart.match.poll()
+    for mode in ("EDIT", "WEIGHT_PAINT"):
+        bpy.ops.object.mode_set(mode=mode)
+        assert not bpy.ops.counterpart.match.poll()
+        bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def test_a_job_reports_and_passes_errors_on():

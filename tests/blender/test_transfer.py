@@ -9,6 +9,7 @@ import bpy
 import characters as c
 import numpy as np
 import pytest
+from digest import differences, digest
 from mathutils import Matrix
 from mathutils.bvhtree import BVHTree
 
@@ -199,6 +200,15 @@ def test_copies_that_stand_elsewhere_are_moved_into_the_rig(hero):
     assert far_apart(hero, other) < 0.015 * c.HEIGHT
 
 
+def test_copies_of_another_size_are_scaled_into_the_rig(hero):
+    """As an export in centimeters is."""
+    other = c.remeshed(hero, "Other")
+    other.data.transform(ELSEWHERE @ Matrix.Scale(100, 4))
+    transfer(hero, other)
+    pose_hand(hero.parent)
+    assert far_apart(hero, other) < 0.015 * c.HEIGHT
+
+
 @pytest.mark.parametrize("matrix", [Matrix.Diagonal((0.01, 0.01, 0.01, 1)), Matrix.Diagonal((-1, 1, 1, 1))])
 def test_scaled_and_mirroring_transforms(hero, matrix):
     """What is seen counts, not what the mesh's own coordinates are."""
@@ -234,6 +244,89 @@ def test_many_at_once_and_what_they_have_stays(hero):
     assert worst_weight(second, c.positions(second)) < 0.02
     assert first.vertex_groups["mine"].weight(1) == 0.5
     assert {layer.name for layer in first.data.uv_layers} == {"Lightmap", "UVMap"}
+
+
+def test_names_in_the_way(hero):
+    """Blender gives no attribute the name of another one, nor of a vertex group."""
+    other = c.remeshed(hero, "Other")
+    other.data.uv_layers.new(name="Paint")
+    other.data.attributes.new("UVMap", "FLOAT", "FACE")
+    other.data.attributes.new("side", "FLOAT", "FACE")
+    transfer(hero, other)
+    assert other.data.uv_layers.keys() == ["UVMap"] and other.data.color_attributes.keys() == ["Paint"]
+    assert other.data.attributes["side"].domain == "POINT"
+    grouped = c.remeshed(hero, "Grouped")
+    grouped.vertex_groups.new(name="heat")
+    before = digest(grouped)
+    with pytest.raises(RuntimeError, match=r"'Grouped' has vertex groups.*'heat'.*rename"):
+        transfer(hero, grouped)
+    assert differences({"": before}, {"": digest(grouped)}) == []
+
+
+def test_attributes_of_faces_and_edges(hero):
+    values = {"red": ("FLOAT_COLOR", "FACE"), "blue": ("BYTE_COLOR", "EDGE"), "length": ("FLOAT", "EDGE")}
+    for name, (kind, domain) in values.items():
+        attribute = hero.data.attributes.new(name, kind, domain)
+        elements = hero.data.polygons if domain == "FACE" else hero.data.edges
+        points = c.positions(hero)
+        height = np.array([points[list(element.vertices), 2].mean() for element in elements], np.float32) / c.HEIGHT
+        colors = np.column_stack([height, height, height, np.ones(len(height), np.float32)])
+        write = ("value", height) if kind == "FLOAT" else ("color", colors.ravel())
+        attribute.data.foreach_set(*write)
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    points = c.positions(other)
+    for name, (kind, domain) in values.items():
+        elements = other.data.polygons if domain == "FACE" else other.data.edges
+        height = np.array([points[list(element.vertices), 2].mean() for element in elements]) / c.HEIGHT
+        found = other.data.attributes[name]
+        assert (found.data_type, found.domain) == (kind, domain)
+        read = c.read(found.data, *(("value", 1) if kind == "FLOAT" else ("color", 4)))[:, 0]
+        assert np.abs(read - height).max() < 0.03
+
+
+def test_settings_of_modifiers(hero):
+    """Curves, inputs of nodes, drivers; what is animated is told."""
+    warp = hero.modifiers.new("Warp", "WARP")
+    warp.falloff_type = "CURVE"
+    warp.falloff_curve.curves[0].points.new(0.3, 0.7)
+    bevel = hero.modifiers.new("Bevel", "BEVEL")
+    bevel.profile_type = "CUSTOM"
+    bevel.custom_profile.points.add(0.3, 0.7)
+    hero.modifiers["Armature"].driver_add("use_deform_preserve_volume").driver.expression = "1"
+    tree, group_input, group_output = c.node_tree()
+    sockets = {kind: tree.interface.new_socket(kind, socket_type=f"NodeSocket{kind}") for kind in ("Float", "Object")}
+    shift, offset = tree.nodes.new("GeometryNodeSetPosition"), tree.nodes.new("ShaderNodeCombineXYZ")
+    tree.links.new(group_input.outputs[0], shift.inputs[0])
+    tree.links.new(group_input.outputs[1], offset.inputs["Z"])
+    tree.links.new(offset.outputs[0], shift.inputs["Offset"])
+    tree.links.new(shift.outputs[0], group_output.inputs[0])
+    nodes = hero.modifiers.new("Nodes", "NODES")
+    nodes.node_group = tree
+    for kind, value in (("Float", 2.5), ("Object", hero.parent)):
+        if hasattr(nodes, "properties"):
+            getattr(nodes.properties.inputs, sockets[kind].identifier).value = value
+        else:
+            nodes[sockets[kind].identifier] = value
+    other = c.remeshed(hero, "Other")
+    transfer(hero, other)
+    for curve in (other.modifiers["Warp"].falloff_curve.curves[0], other.modifiers["Bevel"].custom_profile):
+        assert sorted(tuple(point.location) for point in curve.points)[1] == pytest.approx((0.3, 0.7))
+        assert len(curve.points) == 3
+    assert [driver.data_path for driver in other.animation_data.drivers] == [
+        'modifiers["Armature"].use_deform_preserve_volume'
+    ]
+    for obj in (hero, other):
+        obj.modifiers["Warp"].show_viewport = obj.modifiers["Bevel"].show_viewport = False
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    height = c.read(other.evaluated_get(depsgraph).data.vertices, "co", 3)[:, 2] - c.positions(other)[:, 2]
+    assert np.abs(height - 2.5).max() < 1e-4
+
+
+def test_animation_of_modifiers_is_told_to_be_left_out(hero, capfd):
+    hero.modifiers.new("Soft", "SMOOTH").keyframe_insert("factor", frame=1)
+    transfer(hero, c.remeshed(hero, "Other"))
+    assert "Modifiers whose animation was left out: 'Soft'" in capfd.readouterr().out
 
 
 def test_only_what_was_asked_for(hero):
