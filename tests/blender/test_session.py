@@ -46,10 +46,44 @@ def test_undo_restores_everything(hero, name):
     assert differences(before, everything()) != []
 
 
-def test_a_saved_file_is_the_same(hero, tmp_path):
+def test_other_options_after_undo_are_as_if_at_first(hero):
+    """What the panel of the last operation does."""
+    chosen = dict(shape_keys=False, max_influences=2)
     other = c.remeshed(hero, "Other")
     c.only(hero, other)
-    bpy.ops.counterpart.transfer()
+    bpy.ops.counterpart.match()
+    bpy.ops.ed.undo_push(message="Start")
+    bpy.ops.counterpart.transfer("EXEC_DEFAULT", True, **chosen)
+    wanted = everything()
+    bpy.ops.ed.undo()
+    bpy.ops.counterpart.transfer("EXEC_DEFAULT", True, shape_keys=True, max_influences=0)  # else those of before
+    assert differences(wanted, everything()) != []
+    bpy.ops.ed.undo()
+    bpy.ops.counterpart.transfer("EXEC_DEFAULT", True, **chosen)
+    assert differences(wanted, everything()) == []
+
+
+def test_undo_of_a_landmark(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(hero, other)
+    before = everything()
+    bpy.ops.object.mode_set(mode="EDIT")
+    for obj in (hero, other):
+        c.select_vertices(obj, [7])
+    bpy.ops.ed.undo_push(message="Start")
+    bpy.ops.counterpart.add_landmark("EXEC_DEFAULT", True)
+    bpy.ops.ed.undo()
+    if bpy.context.mode != "OBJECT":
+        bpy.ops.object.mode_set(mode="OBJECT")
+    assert differences(before, everything()) == []
+
+
+@pytest.mark.parametrize("name", OPERATORS)
+def test_a_saved_file_is_the_same(hero, tmp_path, name):
+    other = c.shuffled(hero, "Other")[0] if name == "restore_order" else c.remeshed(hero, "Other")
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    getattr(bpy.ops.counterpart, name)(**OPERATORS[name])
     before, kept = everything(), stored(other.data)
     file = str(tmp_path / "done.blend")
     bpy.ops.wm.save_as_mainfile(filepath=file)

@@ -329,6 +329,16 @@ def test_animation_of_modifiers_is_told_to_be_left_out(hero, capfd):
     assert "Modifiers whose animation was left out: 'Soft'" in capfd.readouterr().out
 
 
+def test_multires_keeps_its_levels(hero):
+    other = c.remeshed(hero, "Other")
+    c.only(other)
+    other.modifiers.new("Finer", "MULTIRES")
+    bpy.ops.object.multires_subdivide(modifier="Finer", mode="CATMULL_CLARK")
+    transfer(hero, other)
+    assert worst_weight(other, c.positions(other)) < 0.02
+    assert other.modifiers.keys() == ["Finer", "Armature"] and other.modifiers["Finer"].total_levels == 1
+
+
 def test_only_what_was_asked_for(hero):
     other = c.remeshed(hero, "Other")
     kinds = ("shape_keys", "uv_maps", "colors", "attributes", "shading", "materials", "rig")
