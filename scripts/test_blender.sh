@@ -42,11 +42,12 @@ for version in ${*:-$(versions)}; do
   venv=build/venv-bpy-$version
   [ -x "$venv/bin/python" ] || "$interpreter" -m venv "$venv"
   "$venv/bin/pip" install --quiet --no-compile --disable-pip-version-check "bpy==$version.*" pytest
-  rm -rf "build/blender/$version"
-  zip=$(scripts/blender.sh "$folder" "build/blender/$version" | tail -n 1)
-  python3 -m zipfile -e "$zip" "build/blender/$version/extension"
-  python3 -m zipfile -e "build/blender/$version"/extension/wheels/*-"$tag"-*linux*"$(uname -m)".whl "build/blender/$version/packages"
+  here=build/blender/$version
+  rm -rf "$here"
+  zip=$(scripts/blender.sh "$folder" "$here" | tail -n 1)
+  python3 -m zipfile -e "$zip" "$here/extension"
+  python3 -m zipfile -e "$here"/extension/wheels/*-"$tag"-*linux*"$(uname -m)".whl "$here/packages"
   echo "=== Blender $version"
-  PYTHONPATH=build/blender/$version/packages COUNTERPART_EXTENSION=build/blender/$version/extension \
+  PYTHONPATH=$here/packages COUNTERPART_EXTENSION=$here/extension \
     "$venv/bin/python" -m pytest -q -p no:cacheprovider tests/blender
 done
