@@ -211,10 +211,10 @@ def keep_between(obj, axis, low, high):
     work = bmesh.new()
     work.from_mesh(obj.data)
     direction = np.eye(3)["xyz".index(axis)]
-    for place, normal in ((low * direction, direction), (high * direction, -direction)):
-        if np.isfinite(place).all():
+    for place, normal in ((low, direction), (high, -direction)):
+        if np.isfinite(place):
             all_of_it = [*work.verts, *work.edges, *work.faces]
-            bmesh.ops.bisect_plane(work, geom=all_of_it, plane_co=place, plane_no=normal, clear_inner=True)
+            bmesh.ops.bisect_plane(work, geom=all_of_it, plane_co=place * direction, plane_no=normal, clear_inner=True)
     work.to_mesh(obj.data)
     work.free()
 
