@@ -6,7 +6,7 @@
 # By default 4.2, 4.5 and 5.0, which take CPython 3.11 (PYTHON), and 5.2 and 5.3, which take 3.13 (NEWER), where this and the
 # wheel for it are here. For each, bpy goes into build/venv-bpy-VERSION (1 GB). The zip is made with the wheels of dist/, or,
 # where there is none for 3.11, with one packed from build/release/python, which scripts/test_python.sh builds; Blender
-# validates it, and the tests run on what it unpacks to.
+# validates and installs it, and the tests run on what it unpacks to.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh packages-blender.txt
@@ -36,18 +36,19 @@ rm -rf build/blender
 folder=$(wheels)
 for version in ${*:-$(versions)}; do
   case $version in
-    4.* | 5.0) interpreter=$python tag=cp311-cp311 ;;
-    *) interpreter=$newer tag=abi3 ;;
+    4.* | 5.0) interpreter=$python tag=cp311-cp311 first=4.2 ;;
+    *) interpreter=$newer tag=abi3 first=5.1 ;;
   esac
   venv=build/venv-bpy-$version
   [ -x "$venv/bin/python" ] || "$interpreter" -m venv "$venv"
   "$venv/bin/pip" install --quiet --no-compile --disable-pip-version-check "bpy==$version.*" pytest
   here=build/blender/$version
   rm -rf "$here"
-  zip=$(scripts/blender.sh "$folder" "$here" | tail -n 1)
+  scripts/blender.sh "$folder" "$here"
+  zip=$(realpath "$here"/counterpart-*-blender-"$first".zip)
   python3 -m zipfile -e "$zip" "$here/extension"
   python3 -m zipfile -e "$here"/extension/wheels/*-"$tag"-*linux*"$(uname -m)".whl "$here/packages"
   echo "=== Blender $version"
-  PYTHONPATH=$here/packages COUNTERPART_EXTENSION=$here/extension \
+  PYTHONPATH=$here/packages COUNTERPART_EXTENSION=$here/extension COUNTERPART_ZIP=$zip \
     "$venv/bin/python" -m pytest -q -p no:cacheprovider tests/blender
 done
