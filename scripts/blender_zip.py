@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
-"""Makes the zip of the extension for Blender and prints its name: scripts/blender_zip.py FOLDER_OF_WHEELS FOLDER.
+"""Makes the zips of the extension for Blender and prints their names: scripts/blender_zip.py FOLDER_OF_WHEELS FOLDER.
 
-The manifest gets the project's version, the wheels, and the platforms that these are for."""
+One has the wheels of CPython 3.11, for Blender 4.2 to 5.0, one the others, for Blender 5.1 and newer. Blender refuses a
+zip with wheels of one version, 3.11, where it has another, also if wheels of the stable ABI are beside these. The
+manifest gets the project's version, Blender's, the wheels, and the platforms that these are for."""
 
 import json
 import pathlib
@@ -14,6 +16,10 @@ import zipfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 EXTENSION = ROOT / "apps" / "blender"
 SYSTEMS = {"manylinux": "linux", "linux": "linux", "win": "windows", "macosx": "macos"}
+BLENDER = {  # the first version that a zip is for, and what its manifest says of that
+    "4.2": ('blender_version_min = "4.2.0"', 'blender_version_max = "5.1.0"'),
+    "5.1": ('blender_version_min = "5.1.0"',),
+}
 MACHINES = {"x86_64": "x64", "amd64": "x64", "aarch64": "arm64", "arm64": "arm64"}
 
 
@@ -34,16 +40,16 @@ def platforms(wheels):
     return sorted(found)
 
 
-def manifest(wheels):
-    lines = [(EXTENSION / "blender_manifest.toml").read_text().rstrip(), f'version = "{version()}"']
+def manifest(blender, wheels):
+    lines = [(EXTENSION / "blender_manifest.toml").read_text().rstrip(), f'version = "{version()}"', *BLENDER[blender]]
     for name, values in (("platforms", platforms(wheels)), ("wheels", [f"./wheels/{wheel.name}" for wheel in wheels])):
         lines.append(f"{name} = {json.dumps(values)}")
     return "\n".join(lines) + "\n"
 
 
-def contents(wheels):
+def contents(blender, wheels):
     """Names in the zip, and what is there."""
-    yield "blender_manifest.toml", manifest(wheels).encode()
+    yield "blender_manifest.toml", manifest(blender, wheels).encode()
     yield "LICENSE", (ROOT / "LICENSE").read_bytes()  # of the sources and the wheels
     yield "COPYING", (EXTENSION / "COPYING").read_bytes()  # of the zip as a whole
     for file in sorted(EXTENSION.rglob("*.py")):
@@ -56,14 +62,25 @@ def main():
     wheels = sorted(pathlib.Path(sys.argv[1]).glob("counterpart3d-*.whl"))
     if not wheels:
         sys.exit(f"blender: no wheels in {sys.argv[1]}: scripts/wheel.sh makes them")
-    target = pathlib.Path(sys.argv[2]) / f"counterpart-{version()}.zip"
+    of = {
+        "4.2": [wheel for wheel in wheels if "-cp311-" in wheel.name],
+        "5.1": [wheel for wheel in wheels if "-abi3-" in wheel.name],
+    }
+    for blender, its_wheels in of.items():
+        if its_wheels:
+            print(
+                write(pathlib.Path(sys.argv[2]) / f"counterpart-{version()}-blender-{blender}.zip", blender, its_wheels)
+            )
+
+
+def write(target, blender, wheels):
     target.parent.mkdir(parents=True, exist_ok=True)
     partial = target.with_suffix(".part")
     with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in contents(wheels):
+        for name, data in contents(blender, wheels):
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data, zipfile.ZIP_DEFLATED)
     partial.replace(target)
-    print(target)
+    return target
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ from functools import cached_property
 
 import counterpart3d as cp
 import numpy as np
+from mathutils.kdtree import KDTree
 
 from .edge_graph import EdgeGraph
 from .objects import Surface
@@ -82,11 +83,15 @@ class Carrier:
         return values[np.where(self.active.face_of_corner[corner] == face, corner, first)]
 
     def edge_labels(self, values: np.ndarray) -> np.ndarray:
-        """What is 0 on most edges (seams, sharp edges, creases): the others become paths between their ends' images."""
+        """Where it is 0 on most edges (seams, sharp edges, creases) the others become paths between their ends' images;
+        else each edge takes the value of the one nearest to its middle."""
         if self.same:
             return np.where(_column(self.same.edge < 0, values), values.dtype.type(0), values[self.same.edge])
+        marked = values.reshape(len(values), -1).any(axis=1)
+        if marked.mean() > 0.5:
+            return values[self._nearest_edge]
         carried = np.zeros((len(self.selected.edges), *values.shape[1:]), values.dtype)
-        for edge in np.flatnonzero(values.reshape(len(values), -1).any(axis=1)).tolist():
+        for edge in np.flatnonzero(marked).tolist():
             ends = self._images[self.active.edges[edge]]
             if (ends >= 0).all():
                 carried[self._graph.path(*ends.tolist())] = values[edge]
@@ -125,6 +130,16 @@ class Carrier:
         middles = np.add.reduceat(self.positions[self.selected.corners], starts) / self.selected.sizes[:, None]
         triangle = [self.active.tree.find_nearest(middle)[2] for middle in middles.tolist()]
         return self.active.face_of_triangle[np.array(triangle)]
+
+    @cached_property
+    def _nearest_edge(self) -> np.ndarray:
+        """The edge of the active mesh with its middle nearest to that of each selected edge."""
+        middles, images = self.active.vertices[self.active.edges].mean(axis=1), self.positions[self.selected.edges]
+        tree = KDTree(len(middles))
+        for edge, middle in enumerate(middles.tolist()):
+            tree.insert(middle, edge)
+        tree.balance()
+        return np.array([tree.find(image)[1] for image in images.mean(axis=1).tolist()])
 
     @cached_property
     def _images(self) -> np.ndarray:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import counterpart3d as cp
 import numpy as np
 
+from .loose_parts import loose_parts, only
 from .objects import Surface
 
 TOUCHING = 0.01  # of the size: how far surfaces that lie on each other may be apart
@@ -21,20 +22,17 @@ STRETCH, SLIP = 2, 0.002  # an edge is torn if its image is longer than this tim
 N_LOOKED_AT = 2000  # vertices that decide whether the surfaces are near
 
 
-def match_touching(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
+def match_touching(active: Surface, selected: Surface, may_be_part: bool = False) -> cp.SurfaceMap | None:
     """The point of the active surface nearest to each selected vertex that faces the same way, unmatched where it is
-    far; None if the surfaces do not lie on each other. O(n log n)."""
-    if not _are_within(TOUCHING, active, selected):
-        return None
-    return nearest_points(selected, active, TOUCHING * active.size, slice(None))
+    far; None if the surfaces do not lie on each other. `may_be_part`: the selected one may lie on a part of the active
+    one. O(n log n)."""
+    return _lying(active, selected, TOUCHING, may_be_part)
 
 
-def match_near(active: Surface, selected: Surface) -> cp.SurfaceMap | None:
+def match_near(active: Surface, selected: Surface, may_be_part: bool = False) -> cp.SurfaceMap | None:
     """The same for surfaces near each other; None also where neighbors go to places that are no neighbors."""
-    if not _are_within(NEAR, active, selected):
-        return None
-    points = nearest_points(selected, active, NEAR * active.size, slice(None))
-    return points if _torn_share(selected, active, points) < TORN else None
+    points = _lying(active, selected, NEAR, may_be_part)
+    return points if points is not None and _torn_share(selected, active, points) < TORN else None
 
 
 def nearest_points(surface: Surface, other: Surface, near: float, which: slice | np.ndarray) -> cp.SurfaceMap:
@@ -52,13 +50,38 @@ def nearest_points(surface: Surface, other: Surface, near: float, which: slice |
     return cp.SurfaceMap(triangle, _barycentric(other.vertices[other.triangles[triangle]], place, triangle >= 0))
 
 
-def _are_within(reach: float, active: Surface, selected: Surface) -> bool:
-    for surface, other in ((selected, active), (active, selected)):
-        step = max(1, len(surface.vertices) // N_LOOKED_AT)
-        found = nearest_points(surface, other, reach * active.size, slice(None, None, step))
-        if (found.triangle >= 0).mean() < SHARE:
-            return False
-    return True
+def _lying(active: Surface, selected: Surface, reach: float, may_be_part: bool) -> cp.SurfaceMap | None:
+    near = reach * active.size
+    if not _is_within(near, selected, active):
+        return None
+    is_part = not _is_within(near, active, selected)
+    if is_part and not may_be_part:
+        return None
+    points = _part_by_part(selected, active, near, nearest_points(selected, active, near, slice(None)))
+    return None if is_part and _torn_share(selected, active, points) > TORN else points
+
+
+def _part_by_part(surface: Surface, other: Surface, near: float, points: cp.SurfaceMap) -> cp.SurfaceMap:
+    """A loose part that lies on one of the other surface, and covers it, has points of this alone."""
+    own, theirs = loose_parts(surface), loose_parts(other)[other.triangles[:, 0]]
+    hit = np.where(points.triangle >= 0, theirs[points.triangle], -1)
+    triangle, weights = points.triangle.copy(), points.weights.copy()
+    for part in np.unique(own[(hit >= 0) & (hit != hit[own])]).tolist():  # of those that lie on several
+        vertices = np.flatnonzero(own == part)
+        parts, counts = np.unique(hit[vertices][hit[vertices] >= 0], return_counts=True)
+        of_one = np.flatnonzero(theirs == parts[counts.argmax()])
+        found = nearest_points(surface, only(other, of_one), near, vertices)
+        own_part = only(surface, np.flatnonzero(own[surface.triangles[:, 0]] == part))
+        back = nearest_points(other, own_part, near, np.unique(other.triangles[of_one]))
+        if min((found.triangle >= 0).mean(), (back.triangle >= 0).mean()) >= SHARE:
+            triangle[vertices] = np.where(found.triangle >= 0, of_one[found.triangle], -1)
+            weights[vertices] = found.weights
+    return cp.SurfaceMap(triangle, weights)
+
+
+def _is_within(near: float, surface: Surface, other: Surface) -> bool:
+    step = max(1, len(surface.vertices) // N_LOOKED_AT)
+    return (nearest_points(surface, other, near, slice(None, None, step)).triangle >= 0).mean() >= SHARE
 
 
 def _torn_share(surface: Surface, other: Surface, points: cp.SurfaceMap) -> float:

@@ -20,10 +20,13 @@ def landmark_names(obj) -> set[str]:
 
 
 def landmark_pairs(first, second) -> np.ndarray:
-    """Pairs of vertices (first, second), one of each name that both have; refused where one of these is empty."""
+    """Pairs of vertices (first, second), one of each name that both have; refused where one of these is empty. Where
+    both are there is no pair: Blender 4.2 leaves the groups behind when a pair is undone in Edit Mode."""
     names = landmark_names(first) & landmark_names(second)
-    ours, theirs = landmarks_of(first, names), landmarks_of(second, names)
-    return np.array([(ours[name], theirs[name]) for name in sorted(names)], np.int32).reshape(-1, 2)
+    ours, theirs = _weights(first, names), _weights(second, names)
+    used = [name for name in sorted(names) if ours[name] or theirs[name]]
+    pairs = [(_strongest(first, name, ours[name]), _strongest(second, name, theirs[name])) for name in used]
+    return np.array(pairs, np.int32).reshape(-1, 2)
 
 
 def not_paired(first, second) -> str:
@@ -36,10 +39,13 @@ def not_paired(first, second) -> str:
     return f"Landmarks that were not used: {', '.join(alone)}" if alone else ""
 
 
-def landmarks_of(obj, which: set[str] | None = None) -> dict[str, int]:
-    """The vertex of each landmark: that with the largest weight, of several the one nearest to their middle. None: of
-    all."""
-    which = landmark_names(obj) if which is None else which
+def landmarks_of(obj) -> dict[str, int]:
+    """The vertex of each landmark: that with the largest weight, of several the one nearest to their middle."""
+    return {name: _strongest(obj, name, weights) for name, weights in _weights(obj, landmark_names(obj)).items()}
+
+
+def _weights(obj, which: set[str]) -> dict[str, dict[int, float]]:
+    """Of each of these groups the vertices with their weights."""
     names = {group.index: group.name for group in obj.vertex_groups if group.name in which}
     weights: dict[str, dict[int, float]] = {name: {} for name in names.values()}
     if names:
@@ -47,7 +53,7 @@ def landmarks_of(obj, which: set[str] | None = None) -> dict[str, int]:
             for element in vertex.groups:
                 if element.group in names and element.weight > 0:
                     weights[names[element.group]][vertex.index] = element.weight
-    return {name: _strongest(obj, name, of_vertex) for name, of_vertex in weights.items()}
+    return weights
 
 
 def add_landmark(objects_and_vertices) -> str:

@@ -21,6 +21,8 @@ TURNS = (
     "turned otherwise the surfaces lie on each other as well, see the runner-up; 'Facing the Same Way' or a landmark "
     "pair decides"
 )
+OURS = ("option_not_used",)  # codes of notices on what the extension asks for, not the person
+INSIDE_OUT = "the faces of '{}' look inward: Edit Mode, Mesh > Normals > Recalculate Outside mends that"
 NEAR_MOVED = "the surfaces lie near each other when moved as a match by shape says"
 
 
@@ -34,9 +36,14 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         options=options.words,
     )
     if not len(pair.landmarks) and not cp.match_exact(*ends, progress=part_of(progress, 0, 0.05)).identical:
-        maps = _lying(pair, part_of(progress, 0.05, 0.2))
+        maps = _lying(pair, part_of(progress, 0.05, 0.15))
         if maps:
-            return _in_place(pair, maps, asked)
+            return _in_place(pair, maps, "", asked)
+        if pair.active.is_inside_out != pair.selected.is_inside_out:
+            maps = _lying(replace(pair, selected=pair.selected.turned_over()), part_of(progress, 0.15, 0.2))
+            if maps:
+                wrong = pair.selected_object if pair.selected.is_inside_out else pair.active_object
+                return _in_place(pair, maps, INSIDE_OUT.format(wrong.name), asked)
     result = cp.match(
         *ends,
         landmarks=pair.landmarks if len(pair.landmarks) else None,
@@ -56,7 +63,7 @@ def match_pair(pair: Pair, progress: Progress = None) -> StoredMap:
         method=result.method,
         verdict=result.verdict.advice,
         reason="; ".join(_said(message) for message in (*result.verdict.reasons[:2], *result.causes[:1])),
-        notices="; ".join(_said(message) for message in result.notices),
+        notices="; ".join(_said(message) for message in result.notices if message.code not in OURS),
     )
     may_lie = result.spectral and options.part not in DECLARED and not len(pair.landmarks)
     return _where_it_lies(pair, by_shape) if may_lie else by_shape
@@ -79,15 +86,16 @@ def match_pairs(pairs: list[Pair], progress: Progress) -> list[StoredMap]:
 def _lying(pair: Pair, progress: Progress) -> list[cp.SurfaceMap]:
     """The map, and a runner-up, of surfaces that lie on or near each other or can be moved so; else none."""
     ends, options = (pair.active, pair.selected), pair.options
-    touching = match_touching(*ends)
+    may_be_part = options.part in ("unknown", "source")
+    touching = match_touching(*ends, may_be_part)
     if touching is not None:
         return [touching]
     moved = match_moved(*ends, options.aligned, progress) if options.part not in DECLARED else []
-    near = None if moved else match_near(*ends)
+    near = None if moved else match_near(*ends, may_be_part)
     return moved if near is None else [near]
 
 
-def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> StoredMap:
+def _in_place(pair: Pair, maps: list[cp.SurfaceMap], notices: str, asked: dict[str, str]) -> StoredMap:
     """The first of the maps; a second one makes it doubtful."""
     vertex, *others = [cp.nearest_corners(pair.active.mesh(), points) for points in maps]
     confidence = (vertex >= 0).astype(np.float32)
@@ -95,7 +103,7 @@ def _in_place(pair: Pair, maps: list[cp.SurfaceMap], asked: dict[str, str]) -> S
         method="in place",
         verdict="check" if others else "use",
         reason=TURNS if others else "",
-        notices="the surfaces lie on or near each other, or on each other when moved",
+        notices=notices,
     )
     return StoredMap(vertex, maps[0], confidence, others[0] if others else None, **asked, **said)
 

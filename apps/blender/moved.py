@@ -20,6 +20,7 @@ AS_WELL = 1.2  # times the error of the best turn, up to which another one is as
 ROUGH = 3  # the same before both have converged
 ELSEWHERE = 0.01  # of the size: how far two turns take the vertices apart
 ROUNDING = 1e-5  # of the size: smaller errors are none
+SHRUNK = 0.1  # change of scale: surfaces that lie on each other have one size, and a copy in a point is near, too
 
 
 def match_moved(
@@ -39,11 +40,14 @@ def match_moved(
     starts = [laid @ turn + center for turn in turns]
     parts = [part_of(progress, i / len(starts), (i + 1) / len(starts)) for i in range(len(starts))]
     tries = [_icp(start[some], active, 10, part) for start, part in zip(starts, parts, strict=True)]
-    errors = np.array([found.rms_distance for found in tries])
+    errors = np.array([_error(found) for found in tries])
     close = np.flatnonzero(errors <= ROUGH * errors.min() + ROUNDING * active.size)
     ends = [_icp(starts[i][some], active, 100, part_of(progress, 1, 1)) for i in close]
     moved = [starts[i] @ end.matrix[:3, :3].T + end.matrix[:3, 3] for i, end in zip(close, ends, strict=True)]
-    best, *others = _as_good(moved, np.array([end.rms_distance for end in ends]), active.size)
+    errors = np.array([_error(end) for end in ends])
+    if np.isinf(errors).all():
+        return []
+    best, *others = _as_good(moved, errors, active.size)
     points = match_touching(active, replace(selected, vertices=best))
     if points is None:
         return []
@@ -65,6 +69,11 @@ def _icp(points: np.ndarray, active: Surface, iterations: int, progress: Progres
     """Points without faces of their own."""
     options = dict(icp=True, model="similarity", max_iterations=iterations, progress=progress)
     return cp.align((points, [[0, 1, 2]]), active.mesh(), **options)
+
+
+def _error(found: cp.AlignResult) -> float:
+    scale = np.cbrt(np.linalg.det(found.matrix[:3, :3]))
+    return found.rms_distance if abs(scale - 1) < SHRUNK else np.inf
 
 
 def _frame(surface: Surface) -> tuple[np.ndarray, np.ndarray, float]:

@@ -5,12 +5,14 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import counterpart3d as cp
 import numpy as np
 from mathutils.bvhtree import BVHTree
+
+CONVERTIBLE = ("CURVE", "SURFACE", "FONT", "META")  # types of objects that Blender makes a mesh of
 
 
 class Refused(Exception):
@@ -57,6 +59,16 @@ class Surface:
     def normals(self) -> np.ndarray:
         """Of the vertices, (n, 3)."""
         return cp.vertex_normals(self.mesh())
+
+    @cached_property
+    def is_inside_out(self) -> bool:
+        """Most of it is seen from behind from outside: the volume that it encloses is negative."""
+        a, b, c = np.moveaxis(self.vertices[self.triangles] - self.vertices.mean(axis=0), 1, 0)
+        return float(np.einsum("ti,ti->", a, np.cross(b, c))) < 0
+
+    def turned_over(self) -> Surface:
+        """Each triangle walked the other way round."""
+        return replace(self, loops=np.ascontiguousarray(self.loops[:, ::-1]))
 
     @cached_property
     def tree(self) -> BVHTree:
@@ -128,7 +140,8 @@ def require_mesh(obj) -> None:
     if obj.type == "EMPTY" and obj.instance_type == "COLLECTION":
         raise Refused(f"'{obj.name}' is an instance of a collection: Object > Apply > Make Instances Real first")
     if obj.type != "MESH":
-        raise Refused(f"'{obj.name}' is no mesh: Object > Convert > Mesh first")
+        cure = "Object > Convert > Mesh first" if obj.type in CONVERTIBLE else "deselect it"
+        raise Refused(f"'{obj.name}' is no mesh: {cure}")
     if len(obj.data.polygons) == 0:
         raise Refused(f"'{obj.name}' has no faces")
     if abs(np.linalg.det(np.array(obj.matrix_world)[:3, :3])) < 1e-30:

@@ -58,6 +58,11 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
         raise Refused(f"'{active.name}' and '{selected.name}' share one mesh: nothing to match")
     surfaces = {obj: read_surface(obj, depsgraph if options.seen else None) for obj in (active, selected)}
     for obj, surface in surfaces.items():
+        if not len(surface.sizes):
+            raise Refused(
+                f"What the modifiers of '{obj.name}' make has no faces: instances of nodes count once 'Realize "
+                "Instances' makes faces of them; or match without modifiers"
+            )
         if not cp.vertex_areas(surface.mesh()).any():
             raise Refused(f"The faces of '{obj.name}' have no area: all their vertices lie on a line or in a point")
         if len(surface.vertices) != len(obj.data.vertices) and not (may_differ and obj == selected):
@@ -72,7 +77,7 @@ def read_pair(active, selected, options: Options, depsgraph, *, may_differ: bool
         )
     kept = stored(selected.data)
     asked = question(surfaces[active], surfaces[selected], pairs, options)
-    if kept is not None and (kept.question != asked or not kept.fits(surfaces[active])):
+    if kept is not None and not (kept.active == active.name and kept.question == asked and kept.fits(surfaces[active])):
         kept = None
     return Pair(active, selected, surfaces[active], surfaces[selected], pairs, options, facts(active, selected), kept)
 
@@ -84,7 +89,7 @@ def facts(active, selected) -> str:
 
 
 def question(active: Surface, selected: Surface, landmarks: np.ndarray, options: Options) -> str:
-    """Two equal questions have the same answer, whatever the shapes."""
+    """Two equal questions on the same objects have the same answer, whatever shapes they get."""
     known = ",".join(f"{i}-{j}" for i, j in landmarks.tolist())
     return f"{selected.connectivity}>{active.connectivity} {known} {options.seen} {options.aligned} {options.part}"
 

@@ -71,6 +71,7 @@ def state(obj, active) -> tuple[str, list[str]]:
         return "changed since; will be matched again", []
     landmarks = len(landmark_names(obj) & landmark_names(active))
     sentences = [said["reason"], f"matched {said['options']}" if said["options"] else ""]
+    sentences.append(said["notices"])
     sentences.append(f"{landmarks} landmark{'s' if landmarks > 1 else ''}" if landmarks else "")
     return said["verdict"], [sentence for sentence in sentences if sentence]
 

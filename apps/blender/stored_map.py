@@ -38,7 +38,7 @@ class StoredMap:
     question : what was asked, to know whether it is still the same: see `pairs.question`
     facts : of the question what is known at once: see `pairs.facts`
     options : those that were chosen, in words
-    method, verdict, reason, notices : see cp.MatchResult; the last two as sentences
+    method, verdict, reason, notices : see cp.MatchResult; the last two as sentences for the tab
     """
 
     vertex: np.ndarray

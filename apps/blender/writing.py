@@ -4,9 +4,19 @@
 
 from __future__ import annotations
 
+import bpy
 import numpy as np
 
 from .carried.shape_keys import relative_first
+from .objects import Refused
+
+
+def require_short(names) -> None:
+    """Blender would cut them off, and then take one for another."""
+    longest = bpy.types.ShapeKey.bl_rna.properties["name"].length_max - 1
+    for name in names:
+        if len(name.encode()) > longest:
+            raise Refused(f"'{name}' is too long for a shape key: give the object a shorter name (F2)")
 
 
 def add_shape_key(obj, name: str, positions: np.ndarray):

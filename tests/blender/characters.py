@@ -192,6 +192,49 @@ def sculpted(obj, name, amount=0.03):
     return copy
 
 
+def node_tree():
+    """Of a Geometry Nodes modifier: the tree, its input and its output, with one geometry each."""
+    tree = bpy.data.node_groups.new("Nodes", "GeometryNodeTree")
+    for side in ("INPUT", "OUTPUT"):
+        tree.interface.new_socket("Geometry", in_out=side, socket_type="NodeSocketGeometry")
+    return tree, tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+
+
+def half(obj):
+    """Without what lies at x < 0, as an artist models what a Mirror modifier completes."""
+    keep_between(obj, "x", 0, np.inf)
+    obj.modifiers.new("Mirror", "MIRROR")
+
+
+def keep_between(obj, axis, low, high):
+    """Cut off what lies below and above, as a piece of clothing ends."""
+    work = bmesh.new()
+    work.from_mesh(obj.data)
+    direction = np.eye(3)["xyz".index(axis)]
+    for place, normal in ((low, direction), (high, -direction)):
+        if np.isfinite(place):
+            all_of_it = [*work.verts, *work.edges, *work.faces]
+            bmesh.ops.bisect_plane(work, geom=all_of_it, plane_co=place * direction, plane_no=normal, clear_inner=True)
+    work.to_mesh(obj.data)
+    work.free()
+
+
+def add_lamp(obj, segments):
+    """A ball in a thin shell, two loose parts closer to each other than their facets are to the round: the vertices of
+    each."""
+    before, middle = len(obj.data.vertices), (0, -0.6, 1.4)
+    only(obj)
+    bpy.ops.object.mode_set(mode="EDIT")
+    for radius in (0.1, 0.102):
+        bpy.ops.mesh.primitive_uv_sphere_add(
+            segments=segments, ring_count=segments // 2, radius=radius, location=middle
+        )
+    bpy.ops.object.mode_set(mode="OBJECT")
+    far = np.linalg.norm(positions(obj) - middle, axis=1)
+    added = np.arange(len(far)) >= before
+    return {"ball": np.flatnonzero(added & (far < 0.101)), "shell": np.flatnonzero(added & (far > 0.101))}
+
+
 def places_on(original, copy, places):
     """For each vertex of the copy what `places` holds at the nearest point of the original."""
     original.data.calc_loop_triangles()

@@ -7,6 +7,7 @@ from dataclasses import replace
 import bpy
 import characters as c
 import numpy as np
+import pytest
 from counterpart_extension.in_place import match_near
 from counterpart_extension.objects import read_surface
 from counterpart_extension.sculpted import match_sculpted
@@ -62,6 +63,17 @@ def test_a_figure_fits_in_one_turn(hero):
     other.matrix_world = Matrix.Translation((2, 1, 0)) @ Matrix.Rotation(2.0, 4, "Z")
     found = matched(hero, other)
     assert (found.method, found.verdict, found.runner_up) == ("in place", "use", None)
+    assert np.linalg.norm(c.positions(hero)[found.vertex] - c.positions(other), axis=1).max() < 0.05
+
+
+@pytest.mark.parametrize("which", ["Hero", "Other"])
+@pytest.mark.parametrize("matrix", [Matrix(), TURNED])
+def test_faces_that_look_inward(hero, which, matrix):
+    other = c.remeshed(hero, "Other")
+    bpy.data.objects[which].data.flip_normals()
+    other.matrix_world = matrix
+    found = matched(hero, other)
+    assert (found.method, found.verdict) == ("in place", "use") and f"'{which}' look inward" in found.notices
     assert np.linalg.norm(c.positions(hero)[found.vertex] - c.positions(other), axis=1).max() < 0.05
 
 

@@ -47,5 +47,13 @@ def test_a_property_of_the_same_name_is_no_verdict(hero, other, own):
     assert state(other, hero) == ("use", [])
 
 
+def test_notices_on_the_meshes_are_shown(hero, other):
+    other.data.flip_normals()
+    c.only(hero, other)
+    bpy.ops.counterpart.match()
+    verdict, (sentence,) = state(other, hero)
+    assert verdict == "use" and "'Other' look inward" in sentence and "Recalculate Outside" in sentence
+
+
 def test_what_is_no_mesh_has_no_verdict(hero, other):
     assert state(hero.parent, hero) == state(other, hero.parent) == state(other, None) == ("not matched yet", [])

@@ -144,6 +144,40 @@ def test_in_betweens_of_several_objects_play_one_after_the_other(hero):
     assert np.abs(middle - (shapes["Full"] + shapes["Thin"]) / 2).max() < 0.01
 
 
+def test_in_betweens_made_again_replace_the_first(hero):
+    """With them they would add up, and the action would go farther than the goal."""
+    full = c.sculpted(hero, "Full", 0.04)
+    c.only(hero, full)
+    bpy.context.scene.frame_set(1)
+    bpy.ops.counterpart.in_betweens(count=3)
+    bpy.context.scene.frame_set(1)
+    bpy.ops.counterpart.in_betweens(count=1, frames=5)
+    assert hero.data.shape_keys.key_blocks.keys()[-2:] == ["Full", "Full 1/2"]
+    hero.modifiers.clear()
+    between = c.read(hero.data.shape_keys.key_blocks["Full 1/2"].data, "co", 3)
+    for frame, shape in ((1, c.positions(hero)), (6, between), (11, c.positions(full)), (40, c.positions(full))):
+        assert np.abs(seen_at(hero, frame) - shape).max() < 1e-4
+
+
+def test_other_animated_shape_keys_are_told(hero, capfd):
+    full, thin = c.sculpted(hero, "Full", 0.04), c.sculpted(hero, "Thin", -0.02)
+    for goal, expected in ((full, 0), (thin, 1)):
+        c.only(hero, goal)
+        bpy.ops.counterpart.in_betweens(count=1)
+        assert capfd.readouterr().out.count("animated before add to these: 'Full") == expected
+
+
+@pytest.mark.parametrize("name", ["n" * 61, "\N{GREEK SMALL LETTER ALPHA}" * 31])
+def test_names_too_long_for_shape_keys_are_refused(hero, name):
+    """Blender would cut off the numbers of the in-betweens."""
+    full, _ = c.shuffled(hero, name)
+    c.only(hero, full)
+    with pytest.raises(RuntimeError, match="too long for a shape key"):
+        bpy.ops.counterpart.in_betweens(count=2)
+    assert hero.data.shape_keys.key_blocks.keys() == ["Basis", *c.true_moves(c.positions(hero))]
+    assert bpy.ops.counterpart.join_shape_keys() == {"FINISHED"} and name in hero.data.shape_keys.key_blocks
+
+
 def lengths(points, edges):
     return np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
 

@@ -6,6 +6,8 @@ import bpy
 import characters as c
 import numpy as np
 import pytest
+from counterpart_extension.stored_map import stored
+from mathutils import Matrix
 
 
 def colors_of(obj, name):
@@ -36,6 +38,26 @@ def test_confidence_is_blue_where_sure(hero):
     assert (shown[:100, 0] > shown[:100, 2]).all() and (shown[100:, 0] < shown[100:, 2]).all()
     image = c.read(other.data.attributes["counterpart"].data, "value", 1)[:, 0].astype(int)
     assert np.abs(colors_of(hero, "Counterpart confidence")[image] - shown).max() < 1e-6
+
+
+def test_the_runner_up_has_its_colors(hero):
+    """Two boxes: a half turn takes one to itself."""
+    boxes = []
+    for name, cuts in (("A", 4), ("B", 3)):
+        bpy.ops.mesh.primitive_cube_add(size=1)
+        boxes.append(bpy.context.object)
+        boxes[-1].name = name
+        bpy.ops.object.mode_set(mode="EDIT")
+        bpy.ops.mesh.subdivide(number_cuts=cuts)
+        bpy.ops.object.mode_set(mode="OBJECT")
+        boxes[-1].data.transform(Matrix.Diagonal((1, 2, 3, 1)))
+    boxes[1].location = (5, 0, 0)
+    c.only(*boxes)
+    assert bpy.ops.counterpart.show(what="RUNNER_UP") == {"FINISHED"}
+    kept = stored(boxes[1].data)
+    ours, theirs = (colors_of(box, "Counterpart runner-up") for box in boxes)
+    assert np.abs(theirs - ours[kept.runner_up]).max() < 1e-6
+    assert np.abs(theirs - ours[kept.vertex]).max() > 0.5
 
 
 def test_no_runner_up_is_said(hero):

@@ -7,6 +7,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..carrier import Carrier
+from ..objects import Refused
 from ..stored_map import NAMES
 from . import Write
 
@@ -16,6 +17,8 @@ NUMBERS = {
     "FLOAT": ("value", 1, np.float32),
     "FLOAT_VECTOR": ("vector", 3, np.float32),
     "FLOAT2": ("vector", 2, np.float32),
+    "FLOAT_COLOR": ("color", 4, np.float32),  # of edges and faces: the others are color attributes
+    "BYTE_COLOR": ("color", 4, np.float32),
 }
 LABELS = {
     "INT": ("value", 1, np.int32),
@@ -30,6 +33,7 @@ KINDS = NUMBERS | LABELS
 
 def carried(active, selected, carrier: Carrier) -> Write:
     moved, left = {}, []
+    require_free(selected, [attribute.name for attribute in active.data.attributes if is_own(attribute, active.data)])
     for attribute in active.data.attributes:
         if not is_own(attribute, active.data):
             continue
@@ -58,13 +62,27 @@ def is_own(attribute, mesh) -> bool:
     )
 
 
-def write_attribute(mesh, name: str, domain: str, kind: str, values: np.ndarray) -> None:
+def require_free(obj, names: list[str]) -> None:
+    """Blender makes no attribute with the name of a vertex group."""
+    taken = [name for name in names if name in obj.vertex_groups and name not in obj.data.attributes]
+    if taken:
+        listed = ", ".join(f"'{name}'" for name in taken)
+        raise Refused(
+            f"'{obj.name}' has vertex groups with names that on the active object are those of attributes ({listed}): "
+            "rename one or the other"
+        )
+
+
+def make_room(mesh, name: str, domain: str, kind: str) -> None:
+    """What has the same name and is of another kind goes: Blender would give the new one another name."""
     attribute = mesh.attributes.get(name)
     if attribute is not None and (attribute.domain, attribute.data_type) != (domain, kind):
         mesh.attributes.remove(attribute)
-        attribute = None
-    if attribute is None:
-        attribute = mesh.attributes.new(name, kind, domain)
+
+
+def write_attribute(mesh, name: str, domain: str, kind: str, values: np.ndarray) -> None:
+    make_room(mesh, name, domain, kind)
+    attribute = mesh.attributes.get(name) or mesh.attributes.new(name, kind, domain)
     value, _, dtype = KINDS[kind]
     attribute.data.foreach_set(value, np.ascontiguousarray(values, dtype).ravel())
 

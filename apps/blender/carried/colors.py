@@ -10,6 +10,7 @@ from ..carrier import Carrier
 from ..objects import numbers
 from ..show_colors import ATTRIBUTES
 from . import Write
+from .attributes import make_room, require_free
 
 
 def carried(active, selected, carrier: Carrier) -> Write:
@@ -20,6 +21,8 @@ def carried(active, selected, carrier: Carrier) -> Write:
             values = numbers(attribute.data, "color", (-1, 4))
             carry = carrier.vertex_numbers if attribute.domain == "POINT" else carrier.corner_numbers
             moved[attribute.name] = attribute.domain, attribute.data_type, carry(values)
+
+    require_free(selected, list(moved))
 
     def write() -> list[str]:
         for name, (domain, kind, colors) in moved.items():
@@ -35,10 +38,6 @@ def carried(active, selected, carrier: Carrier) -> Write:
 
 
 def write_colors(mesh, name: str, domain: str, kind: str, colors: np.ndarray) -> None:
-    attribute = mesh.attributes.get(name)
-    if attribute is not None and (attribute.domain, attribute.data_type) != (domain, kind):
-        mesh.attributes.remove(attribute)
-        attribute = None
-    if attribute is None:
-        attribute = mesh.color_attributes.new(name, kind, domain)
+    make_room(mesh, name, domain, kind)
+    attribute = mesh.attributes.get(name) or mesh.color_attributes.new(name, kind, domain)
     attribute.data.foreach_set("color", np.ascontiguousarray(colors, np.float32).ravel())

@@ -7,7 +7,7 @@ from __future__ import annotations
 import counterpart3d as cp
 import numpy as np
 
-from ..animation import share_action
+from ..animation import share_action, share_drivers
 from ..carrier import Carrier
 from ..objects import basis_positions, numbers
 from . import Write
@@ -88,13 +88,5 @@ def _share_animation(keys, ours) -> list[str]:
     if not keys.use_relative:
         ours.eval_time = keys.eval_time
     share_action(keys, ours)
-    for driver in keys.animation_data.drivers if keys.animation_data else []:
-        ours.driver_remove(driver.data_path)
-        if ours.animation_data is None:
-            ours.animation_data_create()
-        copy = ours.animation_data.drivers.from_existing(src_driver=driver)
-        for variable in copy.driver.variables:
-            for target in variable.targets:
-                if target.id == keys:
-                    target.id = ours
+    share_drivers(keys, ours)
     return []

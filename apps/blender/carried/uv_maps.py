@@ -9,12 +9,14 @@ import numpy as np
 from ..carrier import Carrier
 from ..objects import Surface, numbers
 from . import Write
+from .attributes import make_room, require_free
 
 LIMIT = 8  # UV maps that a mesh can have
 
 
 def carried(active, selected, carrier: Carrier) -> Write:
     layers = active.data.uv_layers
+    require_free(selected, layers.keys())
     moved = {layer.name: carrier.corner_numbers(numbers(layer.uv, "vector", (-1, 2))) for layer in layers}
     seams = numbers(active.data.edges, "use_seam", (-1,), bool)
     if seams.any():
@@ -24,6 +26,7 @@ def carried(active, selected, carrier: Carrier) -> Write:
     def write() -> list[str]:
         ours, notices = selected.data.uv_layers, []
         for name, uv in moved.items():
+            make_room(selected.data, name, "CORNER", "FLOAT2")
             if ours.get(name) is None and len(ours) == LIMIT:
                 notices.append(f"'{selected.name}' has {LIMIT} UV maps already: '{name}' was left out")
                 continue

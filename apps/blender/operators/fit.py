@@ -50,6 +50,9 @@ class COUNTERPART_OT_fit(WithMap, bpy.types.Operator):
     def writes_active(self):
         return self.result == "SHAPE_KEY"
 
+    def key_names(self, names):
+        return names if self.writes_active else []
+
     def computation(self, pairs):
         stiffness = self.stiffness
         return lambda found, progress: active_in_shapes_of(pairs, found, progress, stiffness)

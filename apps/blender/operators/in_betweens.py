@@ -4,11 +4,13 @@
 
 from __future__ import annotations
 
+import re
+
 import bpy
 import counterpart3d as cp
 import numpy as np
 
-from ..animation import key_value, make_linear
+from ..animation import curves_of, key_value, make_linear, remove_curves
 from ..job import Progress, part_of
 from ..pairs import Pair
 from ..shapes import PLACES, active_in_shapes_of, placed
@@ -29,6 +31,9 @@ class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
     frames: bpy.props.IntProperty(name="Frames from Shape to Shape", default=3, min=1, max=100)
     place: bpy.props.EnumProperty(name="Place", items=PLACES)
 
+    def key_names(self, names):
+        return [between_name(name, self.count, self.count) for name in names]
+
     def computation(self, pairs):
         names, place, count = [pair.selected_object.name for pair in pairs], self.place, self.count
 
@@ -43,9 +48,11 @@ class COUNTERPART_OT_in_betweens(WithMap, bpy.types.Operator):
         obj, (shapes,), start = pairs[0].active_object, computed, context.scene.frame_current
 
         def write():
+            for pair in pairs:
+                forget(obj, pair.selected_object.name)
             keys = [add_shape_key(obj, name, shape) for name, shape in shapes.items()]
             play(obj.data.shape_keys, keys, start, self.frames)
-            return []
+            return also_animated(obj.data.shape_keys, keys)
 
         return [write]
 
@@ -57,10 +64,36 @@ def all_between(pair: Pair, goals: dict[str, np.ndarray], count: int, progress: 
     for done, (name, last) in enumerate(sorted(goals.items())):
         part = part_of(progress, done / len(goals), (done + 1) / len(goals))
         for i, points in enumerate(between(before, last, pair.active.triangles, count, part), 1):
-            shapes[f"{name} {i}/{count + 1}"] = pair.active.to_local(points)
+            shapes[between_name(name, i, count)] = pair.active.to_local(points)
         shapes[name] = pair.active.to_local(last)
         before = last
     return shapes
+
+
+def between_name(name: str, i: int, count: int) -> str:
+    return f"{name} {i}/{count + 1}"
+
+
+def forget(obj, name: str) -> None:
+    """What an earlier run made of this goal: with the new shapes it would add up."""
+    keys = obj.data.shape_keys
+    if keys is None:
+        return
+    between = re.compile(re.escape(name) + r" \d+/\d+")
+    old = [key for key in keys.key_blocks if key.name == name or between.fullmatch(key.name)]
+    remove_curves(keys, {key.path_from_id("value") for key in old})
+    for key in old:
+        if key.name != name:
+            obj.shape_key_remove(key)
+
+
+def also_animated(block, keys) -> list[str]:
+    paths = {curve.data_path for curve in curves_of(block)}
+    others = [key.name for key in block.key_blocks if key.path_from_id("value") in paths and key not in keys]
+    if not others:
+        return []
+    names = ", ".join(f"'{name}'" for name in others)
+    return [f"Shape keys that were animated before add to these: {names}; mute or remove them if that is not meant"]
 
 
 def between(

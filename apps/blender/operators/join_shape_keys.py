@@ -21,6 +21,9 @@ class COUNTERPART_OT_join_shape_keys(WithMap, bpy.types.Operator):
 
     place: bpy.props.EnumProperty(name="Place", items=PLACES)
 
+    def key_names(self, names):
+        return names
+
     def computation(self, pairs):
         return lambda found, progress: active_in_shapes_of(pairs, found, progress)
 

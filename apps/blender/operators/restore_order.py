@@ -9,7 +9,7 @@ from dataclasses import replace
 import bpy
 import numpy as np
 
-from ..carried.rig import bound_to, keeps_order
+from ..carried.modifiers import bound_to, keeps_order
 from ..landmarks import landmark_pairs
 from ..objects import Refused, read_surface
 from ..pairs import question

@@ -19,6 +19,7 @@ from ..matching import match_pairs
 from ..objects import Refused, require_editable
 from ..pairs import Options, Pair, can_be_kept, read_pair
 from ..stored_map import StoredMap, store
+from ..writing import require_short
 
 LINE = 80  # characters of a sentence in the dialog
 PARTS = (
@@ -73,6 +74,10 @@ class WithMap:
     def prepare_all(self, context, pairs: list[Pair], found: list[StoredMap], computed: list) -> list[Callable]:
         """`prepare` for each; those that need them all at once override it."""
         return [self.prepare(context, *each) for each in zip(pairs, found, computed, strict=True)]
+
+    def key_names(self, names: list[str]) -> list[str]:
+        """Of the shape keys that it makes for selected objects with these names."""
+        return []
 
     @classmethod
     def poll(cls, context):
@@ -221,6 +226,7 @@ class WithMap:
         if self.writes_selected:
             for obj in others:
                 require_editable(obj)
+        require_short(self.key_names([obj.name for obj in others]))
         options = Options(seen=self.seen, aligned=self.aligned, part=self.part)
         depsgraph = context.evaluated_depsgraph_get()
         pairs = [read_pair(active, obj, options, depsgraph, may_differ=self.may_differ) for obj in others]
