@@ -108,7 +108,7 @@ for python in "${@:-python3}"; do
   prepare "$python"
   [ -n "$packed" ] || pack
   packed=yes
-  wheel=$(make | tee /dev/stderr | tail -n 1)
+  wheel=$(make | tee >(cat >&2) | tail -n 1)  # /dev/stderr itself would empty a log file
   if [ "$system" = "$here" ]; then
     scripts/check_wheel.sh "$wheel" "$python"
   else
