@@ -4,7 +4,7 @@
 #
 # Everything: the gate (.ci/run), then what only this covers. A release needs it, and a change of what it alone covers
 # (CONTRIBUTING.md lists that). scripts/check_all.sh [STEP...] runs some of the steps, in this order:
-#   gate sanitizers default benchmarks consumers python docs examples viewer wasm windows wheels blender debian fuzz
+#   gate sanitizers default benchmarks consumers python viewer wasm docs examples windows wheels blender debian fuzz
 # `debian` needs root and debootstrap. Goes on after a step that fails, and names them all at the end. Hours on two cores.
 set -uo pipefail
 cd "$(dirname "$0")/.."
@@ -20,10 +20,12 @@ default() {
 benchmarks() { cmake --preset release > /dev/null && cmake --build --preset release --target benchmarks; }
 consumers() { cmake --preset release > /dev/null && cmake --build --preset release && ctest --preset release -L full -j "$(nproc)"; }
 python() { scripts/test_python.sh; }
-docs() { scripts/docs.sh; }
-examples() { scripts/examples.sh; }
+# Installs Chromium and Node.js where they are missing, for the next step too.
 viewer() { scripts/test_viewer.sh; }
 wasm() { scripts/wasm.sh && scripts/test_wasm.sh; }
+# With the page that the step before made.
+docs() { scripts/docs.sh; }
+examples() { scripts/examples.sh; }
 # Compiled here, run under Wine.
 windows() { scripts/windows.sh && scripts/test_windows.sh; }
 # For this machine, with the interpreters of both wheels, where they are installed: that of Debian 12, and 3.12 or newer.
@@ -39,7 +41,7 @@ debian() { scripts/test_debian.sh bookworm && scripts/test_debian.sh trixie; }
 # Ten minutes, shared by all targets.
 fuzz() { scripts/fuzz.sh 33; }
 
-steps=${*:-gate sanitizers default benchmarks consumers python docs examples viewer wasm windows wheels blender debian fuzz}
+steps=${*:-gate sanitizers default benchmarks consumers python viewer wasm docs examples windows wheels blender debian fuzz}
 failed=()
 for step in $steps; do
   echo "=== $step"

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Lays out in FOLDER the libraries that a build for another machine needs: scripts/libraries.sh FOLDER "SOURCES" [CMAKE
-# OPTIONS...]. Header-only ones come from Debian's packages of this machine; SOURCES, any of fmtlib, pugixml, zlib, libpng1.6
-# and onetbb, are built from Debian's source packages as static libraries, with the given options (a toolchain). Does nothing
+# OPTIONS...]. Header-only ones come from Debian's packages of this machine; SOURCES, any of fmtlib, pugixml, zlib and
+# libpng1.6, are built from Debian's source packages as static libraries, with the given options (a toolchain). Does nothing
 # where they are there already.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -50,7 +50,6 @@ for package in $packages; do
   case $package in
     fmtlib) build fmtlib-*/ fmt -DFMT_TEST=OFF -DFMT_DOC=OFF ;;
     pugixml) build pugixml-*/ pugixml ;;
-    onetbb) build onetbb-*/ tbb -DTBB_TEST=OFF -DTBBMALLOC_BUILD=OFF -DTBB_STRICT=OFF -DTBB_CPF=OFF ;;
     zlib) png=$(echo "$PWD"/libpng1.6-*/)
       [ -d "$png" ] || png=
       build "$project/cmake/libraries" zlib -DZLIB_SOURCE="$(echo "$PWD"/zlib-*/)" -DPNG_SOURCE="$png" ;;

@@ -9,7 +9,16 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh packages-wasm.txt
 export NODE_PATH=/usr/share/nodejs  # where Debian has what Emscripten needs of Node.js
 
-scripts/wasm_libraries.sh
+libraries=build/wasm-libraries
+scripts/libraries.sh "$libraries" "fmtlib pugixml zlib" -DCMAKE_POSITION_INDEPENDENT_CODE=OFF \
+  -DCMAKE_TOOLCHAIN_FILE="$(em-config EMSCRIPTEN_ROOT)/cmake/Modules/Platform/Emscripten.cmake" \
+  -DCMAKE_{C,CXX}_FLAGS="-fwasm-exceptions -pthread -msimd128"
+# Eigen asks for it with SSE2, and uses nothing of it; Emscripten translates SSE2 to WebAssembly's SIMD, but has no MMX.
+[ -e "$libraries/include/mmintrin.h" ] || touch "$libraries/include/mmintrin.h"
+# Nor assembler of x86, which Eigen uses against a bug of GCC before 6.3, the version that clang says it is.
+assembler='EIGEN_COMP_GNUC && EIGEN_COMP_GNUC < 63' packets=$libraries/include/eigen3/Eigen/src/Core/arch/SSE/PacketMath.h
+! grep -q "$assembler" "$packets" || sed -i "s/$assembler/0/" "$packets"
+
 cmake --preset wasm > /dev/null
 cmake --build --preset wasm --target counterpart_javascript
 command -v llvm-objdump-14 > /dev/null && # of the clang that Debian's Emscripten has

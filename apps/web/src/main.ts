@@ -31,7 +31,7 @@ class Page {
   private result: MatchResult | null = null;
 
   constructor() {
-    this.library.catch((error) => this.fail(error));
+    this.nameFormats().catch((error) => this.fail(error));
     for (const side of sides) {
       const input = element<HTMLInputElement>(`${side}-file`);
       listenForFiles(element(`${side}-drop`), input, (files) => void this.take(side, files));
@@ -50,6 +50,12 @@ class Page {
     element("save-map").addEventListener("click", () => this.saveMap());
     element("save-reordered").addEventListener("click", () => void this.saveReordered());
     element("save-glb").addEventListener("click", () => void this.saveTransferred());
+  }
+
+  private async nameFormats(): Promise<void> {
+    const { read } = await (await this.library).extensions();
+    element("formats").textContent =
+      `Reads ${read.join(", ")}. Drop the files that a mesh names, such as pictures, together with it.`;
   }
 
   // ---- what is matched ----

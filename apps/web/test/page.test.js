@@ -30,6 +30,8 @@ test("the page says that files stay, and its policies let nothing out", async ()
   const { page, end } = await start();
   assert.match(await text(page, "input"), /Drop a mesh here/);
   assert.match(await page.innerText("header"), /Your files stay on this device: nothing is sent anywhere/);
+  await page.waitForFunction(() => document.getElementById("formats").textContent.includes(".glb"));
+  for (const ending of [".obj", ".ply", ".off", ".stl", ".gltf"]) assert.ok((await text(page, "formats")).includes(ending));
   const policy = await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content");
   assert.ok(policy.startsWith("default-src 'none'") && !/unsafe-(inline|eval)/.test(policy.replace("wasm-unsafe-eval", "")));
   await page.click("[data-example=shuffled]");
