@@ -13,8 +13,9 @@
 namespace counterpart::cli {
 namespace {
 
-// Commands that the Python package brings.
-constexpr std::array<const char*, 2> python_commands = {"collection", "retrieve"};
+// Commands that the Python package brings, and the extra that each needs.
+constexpr std::array<std::pair<const char*, const char*>, 3> python_commands = {
+    {{"collection", "collection"}, {"retrieve", "collection"}, {"import", "scenes"}}};
 
 // A word that can name no file elsewhere.
 bool is_plain(const std::string& word) {
@@ -36,10 +37,10 @@ std::string run_external_command(const CLI::App& program, const std::vector<std:
     std::vector<std::string> given(words);
     given.front() = "counterpart-" + words.front();
     platform::replace_by_program(std::move(given));
-    for (const char* const command : python_commands)
+    for (const auto& [command, extra] : python_commands)
         if (words.front() == command)
-            return fmt::format(
-                "'{}' is a command of the Python package: pip install 'counterpart3d[collection]'", command);
+            return fmt::format("'{}' is a command of the Python package: pip install 'counterpart3d[{}]'",
+                               command, extra);
     return "";
 }
 

@@ -84,6 +84,28 @@ void require_fitting_ending(const FileArgument& argument, const fs::path& file) 
                                        argument.option, utf8_name(file), endings.what, other));
 }
 
+// Files of programs that hold more than a mesh, which the Python package reads through one of them.
+bool is_scene(const fs::path& file) {
+    constexpr std::array<std::string_view, 7> scenes = {".fbx",  ".usd", ".usda", ".usdc",
+                                                        ".usdz", ".abc", ".blend"};
+    return std::find(scenes.begin(), scenes.end(), lower_extension(file)) != scenes.end();
+}
+
+void refuse_scenes(const FileArguments& files) {
+    for (const FileArgument& argument : files) {
+        if (argument.written) continue;
+        for (const fs::path* file : argument.names()) {
+            std::error_code ignored;
+            if (is_scene(*file) && fs::is_regular_file(*file, ignored))
+                throw InvalidInput(
+                    fmt::format("{} {}: this is a scene; 'counterpart import {} {}' makes a mesh file of it, "
+                                "through Blender",
+                                argument.option, utf8_name(*file), utf8_name(*file),
+                                utf8_name(fs::path(*file).replace_extension(".glb"))));
+        }
+    }
+}
+
 bool is_regular_or_new(const fs::path& file) {
     if (platform::is_nameless_output(file)) return false;
     std::error_code ignored;
@@ -211,6 +233,7 @@ void check_files(const FileArguments& files) {
     for (const FileArgument& argument : files)
         if (argument.mesh != nullptr && argument.mesh->object && argument.file->empty())
             throw InvalidInput(fmt::format("{} needs {}", argument.object_option, argument.option));
+    refuse_scenes(files);
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (!files[i].written || files[i].file->empty()) continue;
         fs::path& output = *files[i].file;

@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -173,6 +174,18 @@ void run_solids(const MatchCommand& command, const TetrahedralMesh& source, cons
     write_report(report, command.common);
 }
 
+struct LoadedMesh {
+    TriangleMesh mesh;
+    CornerAttribute uv{};  // read only where it is matched
+};
+
+LoadedMesh load(const MeshInput& file, const MatchCommand& command) {
+    if (command.method != "uv") return {load_mesh(file, command.common)};
+    AttributedMesh content = load_attributed_mesh(file, command.common);
+    if (content.texture_coordinates.empty()) return {std::move(content.mesh)};
+    return {std::move(content.mesh), std::move(content.texture_coordinates.front())};
+}
+
 void run(const MatchCommand& command) {
     refuse_unused_options(command);
     if (!command.initial.empty()) refuse_unused_options_of_refinement(command);
@@ -181,11 +194,13 @@ void run(const MatchCommand& command) {
         watch.lap("read");
         return run_solids(command, solids->first, solids->second, watch);
     }
-    const TriangleMesh source = load_mesh(command.source, command.common);
-    const TriangleMesh target = load_mesh(command.target, command.common);
+    const LoadedMesh source_file = load(command.source, command), target_file = load(command.target, command);
+    const TriangleMesh &source = source_file.mesh, &target = target_file.mesh;
     watch.lap("read");
     const MeshPair pair{source, target, command.source, command.target};
-    const MatchInput input{source, target, command.common, progress_bar("matching", command.common)};
+    const MatchInput input{source,         target,
+                           command.common, progress_bar("matching", command.common),
+                           source_file.uv, target_file.uv};
     if (command.initial.empty()) say_expected_cost(input, command.method);
     MatchOutcome outcome = command.initial.empty() ? command.chosen().run(input)
                                                    : refine_map(input, load_map(command.initial, pair));
@@ -274,6 +289,7 @@ void add_match(CLI::App& program) {
     add_method(*command, *match, [&] { return add_spectral_method(*match, spectral); });
     add_method(*command, *match, [&] { return add_partial_method(*match, partial, spectral); });
     add_method(*command, *match, [&] { return add_place_method(*match); });
+    add_method(*command, *match, [&] { return add_uv_method(*match); });
     add_method(*command, *match, [&] { return add_nearest_method(*match); });
     add_method(*command, *match, [&] { return add_assignment_method(*match); });
     FileArguments& files = command->common.files;

@@ -24,6 +24,7 @@ struct MatchInput {
     const TriangleMesh& target;
     const CommonOptions& common;
     Progress progress;
+    CornerAttribute source_uv{}, target_uv{};  ///< texture coordinates; none but for the method uv
 };
 
 struct MatchOutcome {
@@ -64,6 +65,7 @@ MethodCommand add_auto_method(const std::shared_ptr<ExactArguments>& exact,
 MethodCommand add_exact_method(CLI::App& match, const std::shared_ptr<ExactArguments>& arguments);
 MethodCommand add_nearest_method(CLI::App& match);
 MethodCommand add_place_method(CLI::App& match);
+MethodCommand add_uv_method(CLI::App& match);
 MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialArguments>& arguments,
                                  const std::shared_ptr<SpectralArguments>& shared);
 MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<SpectralArguments>& arguments);

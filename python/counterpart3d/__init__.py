@@ -38,6 +38,7 @@ from ._match_results import (
     PartialAlternative,
     PartialResult,
     SpectralResult,
+    UvResult,
     verdict,
 )
 from ._matching import find_differences, match, match_assignment, match_exact, match_frontiers, match_nearest
@@ -120,6 +121,7 @@ __all__ = [
     "SurfaceMap",
     "TransferResult",
     "UnsuitableMesh",
+    "UvResult",
     "Verdict",
     "View",
     "Where",

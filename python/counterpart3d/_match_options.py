@@ -13,7 +13,7 @@ from . import _core
 from ._arrays import FloatArray, IntArray, floats, pairs
 from ._core import InvalidInput
 
-Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment"]
+Method = Literal["auto", "exact", "frontiers", "partial", "spectral", "place", "uv", "nearest", "assignment"]
 Pairing = Literal["closest", "mutual", "optimal"]
 Part = Literal["unknown", "source", "target", "both", "neither"]
 Direction = str | Any

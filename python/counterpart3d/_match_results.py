@@ -10,6 +10,7 @@ from typing import Any
 from ._arrays import FloatArray, IntArray
 from ._calls import MapResult
 from ._connectivity_results import Differences, ExactResult, FrontiersResult
+from ._maps import SurfaceMap
 from ._messages import Message, Telling, Verdict, messages_of
 
 
@@ -106,6 +107,8 @@ class PartialResult(MapResult, Telling):
         Which mesh is a part, as given or as seen: "source", "target", "both" or "neither".
     scale : float
         By which the source was multiplied.
+    mirrored : bool
+        The map reverses the orientation.
     source_share : float
         Of the source's area with a partner, 0 .. 1.
     target_share : float
@@ -134,6 +137,7 @@ class PartialResult(MapResult, Telling):
     confidence: FloatArray
     part: str
     scale: float
+    mirrored: bool
     source_share: float
     target_share: float
     score: float
@@ -149,6 +153,43 @@ class PartialResult(MapResult, Telling):
     def _of(cls, fields: dict[str, Any]) -> PartialResult:
         alternatives = [PartialAlternative(**other) for other in fields["alternatives"]]
         return cls(**{**fields, "alternatives": alternatives, "messages": messages_of(fields["messages"])})
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class UvResult(MapResult):
+    """What `match` found by texture coordinates.
+
+    Attributes
+    ----------
+    target_from_source : ndarray of int, (n_source,)
+        The nearest corners of `surface`, -1 for none.
+    surface : SurfaceMap
+        The points of the target with the source vertices' coordinates.
+    confidence : ndarray, (n_source,)
+        At most 0.95, less the farther outside of the target's charts the coordinates lie; half of it where place chose
+        between charts over one another; 0 where coordinates at a seam lead to places apart.
+    source_share, target_share : float
+        Of the vertices of either mesh that have texture coordinates, the share that lies in a chart of the other.
+    seam_agreement : float
+        Of the source vertices at seams, the share whose coordinates all lead to one place; 1 if there are none.
+    n_by_place : int
+        Source vertices for which place chose between charts over one another.
+    n_undecided : int
+        Those for which it could not: they are unmatched.
+    """
+
+    target_from_source: IntArray
+    surface: SurfaceMap
+    confidence: FloatArray
+    source_share: float
+    target_share: float
+    seam_agreement: float
+    n_by_place: int
+    n_undecided: int
+
+    @classmethod
+    def _of(cls, fields: dict[str, Any]) -> UvResult:
+        return cls(**{**fields, "surface": SurfaceMap(*fields["surface"])})
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -185,6 +226,8 @@ class MatchResult(MapResult, Telling):
         What `match_spectral` found, if it ran.
     partial : PartialResult | None
         What `match_partial` found, if it ran.
+    uv : UvResult | None
+        What texture coordinates told, if they were matched.
     """
 
     target_from_source: IntArray
@@ -201,6 +244,7 @@ class MatchResult(MapResult, Telling):
     frontiers: FrontiersResult | None = dataclasses.field(default=None, repr=False)
     spectral: SpectralResult | None = dataclasses.field(default=None, repr=False)
     partial: PartialResult | None = dataclasses.field(default=None, repr=False)
+    uv: UvResult | None = dataclasses.field(default=None, repr=False)
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> MatchResult:
@@ -210,6 +254,7 @@ class MatchResult(MapResult, Telling):
             "frontiers": lambda found: FrontiersResult(**found),
             "spectral": SpectralResult._of,
             "partial": PartialResult._of,
+            "uv": UvResult._of,
         }
         details = {name: build(fields[name]) for name, build in kinds.items() if fields[name] is not None}
         said: dict[str, Any] = {name: messages_of(fields[name]) for name in ("messages", "causes")}

@@ -16,7 +16,7 @@ from ._core import InvalidInput
 from ._maps import MapLike, SurfaceMap, opened, require_length, surface_map_of, vertex_map_of
 from ._match_options import Direction, Method, Pairing, Part, exact_options, match_options, with_fields
 from ._match_results import MatchResult
-from ._meshes import MeshLike, core_mesh
+from ._meshes import MeshLike, content_of, core_mesh, mesh_of
 from ._messages import Verdict, messages_of
 from ._shape_matching import SpectralShape
 
@@ -60,7 +60,8 @@ def match(
         filled); vertices or surfaces that lie in the same place (place); where a mesh is open, or `part` is given,
         partial; else spectral; where that cannot work, the nearest vertices after a similarity alignment. Partners
         that 30 % or more of the connectivity shows lead partial and spectral, and are kept where that map scores
-        more. The others go by name: "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment".
+        more. The others go by name: "exact", "frontiers", "partial", "spectral", "place", "nearest", "assignment",
+        and "uv": what has the same texture coordinates (the first set of both meshes), in any poses.
     initial : MapLike, optional
         A map that is roughly known: it is refined by eigenfunctions, instead of searching for one. With "auto" or
         "spectral"; no other option but `n_threads` and `progress` is then used.
@@ -154,6 +155,9 @@ def match(
         cache=cache,
         n_threads=n_threads,
     )
+    if method == "uv":
+        source, target = mesh_of(source), mesh_of(target)  # files are read once
+        options.set_uv(content_of(source), content_of(target))
     source_shape, target_shape = (mesh._shape if isinstance(mesh, SpectralShape) else None for mesh in (source, target))
     with reporting(progress, "matching") as report:
         return MatchResult._of(

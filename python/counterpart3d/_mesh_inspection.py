@@ -7,7 +7,7 @@ from __future__ import annotations
 import os
 from typing import Any, NamedTuple
 
-from . import _core
+from . import _core, _scenes
 from ._arrays import FloatArray
 from ._meshes import MeshLike, core_mesh
 
@@ -36,7 +36,7 @@ def objects(file: str | os.PathLike[str], *, allow_external: bool = False) -> li
     file : path
         Its extension decides the format.
     allow_external : bool
-        Follow what a glTF file names outside its own folder.
+        Follow what a glTF file or a scene names outside its own folder.
 
     Raises
     ------
@@ -49,7 +49,8 @@ def objects(file: str | os.PathLike[str], *, allow_external: bool = False) -> li
     >>> for thing in cp.objects("scene.glb"):  # doctest: +SKIP
     ...     cp.write(cp.read("scene.glb", object=thing.number), f"{thing.name}.ply")
     """
-    listed = _core.objects(os.fspath(file), allow_external)
+    with _scenes.as_mesh_file(file, allow_external) as readable:
+        listed = _core.objects(readable, allow_external)
     return [MeshObject(i, name.decode("utf-8", "replace"), *counts) for i, (name, *counts) in enumerate(listed)]
 
 

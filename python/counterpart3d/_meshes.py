@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from . import _core
+from . import _core, _scenes
 from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
 from ._calls import html_table
 from ._core import InvalidInput
@@ -302,7 +302,8 @@ def _attribute(pair: tuple[Any, Any], what: str, widths: Sequence[int]) -> tuple
     return values, integers(corners, f"corners of the {what}", (-1, 3))
 
 
-def _mesh_of(mesh: MeshLike) -> Mesh:
+def mesh_of(mesh: MeshLike) -> Mesh:
+    """Any mesh as a `Mesh`; files are read."""
     if isinstance(mesh, Mesh):
         return mesh
     if isinstance(mesh, (str, os.PathLike)):
@@ -321,7 +322,7 @@ def _mesh_of(mesh: MeshLike) -> Mesh:
 
 def arrays_of(mesh: MeshLike) -> tuple[FloatArray, IntArray]:
     """Vertices and triangles of any mesh, in the library's type and layout."""
-    found = _mesh_of(mesh)
+    found = mesh_of(mesh)
     return found.vertices, found.triangles
 
 
@@ -339,13 +340,13 @@ def _pair_of(mesh: Any) -> tuple[Any, Any]:
 
 def core_mesh(mesh: MeshLike) -> _core.Mesh:
     """The mesh as the library sees it: a copy of its arrays, checked, or what a file held, with its polygons."""
-    found = _mesh_of(mesh)
+    found = mesh_of(mesh)
     return _core.Mesh(found._content) if found._content else _core.Mesh(found.vertices, found.triangles)
 
 
 def content_of(mesh: MeshLike) -> _core.Content:
     """The mesh with its attributes as the library holds it."""
-    found = _mesh_of(mesh)
+    found = mesh_of(mesh)
     return found._content or _core.Content(found.vertices, found.triangles)
 
 
@@ -361,12 +362,17 @@ def read(
     OFF, OBJ, PLY, STL, glTF (.glb, .gltf), VTK (.vtk, .vtp) and GIfTI (.gii) are read, and the surfaces of solids
     (.msh, .mesh, .vtk, .ele). Vertices are those of the file, in its order; where STL and glTF split them, merged.
 
+    FBX (.fbx), USD (.usd, .usda, .usdc, .usdz), Alembic (.abc) and .blend are read through Blender, which runs as a
+    process of its own: ``pip install 'counterpart3d[scenes]'``, or a Blender on the PATH. Y is up, as in glTF, in
+    meters; modifiers are not applied, and scripts not run. A scene with a skeleton or shape keys comes as .glb holds
+    it, with materials and images, in triangles; another one with its polygons, if it has any.
+
     Parameters
     ----------
     file : path
         Its extension decides the format.
     allow_external : bool
-        Follow what a glTF file names outside its own folder.
+        Follow what a glTF file or a scene names outside its own folder.
     strict : bool
         Refuse vertices whose coordinates are no numbers. Else they are left out with a notice (`Mesh.left_out`).
     object : str or int, optional
@@ -380,8 +386,8 @@ def read(
         reason.
     """
     chosen = None if object is None else str(object)
-    content, notices = _core.read(os.fspath(file), allow_external, strict, chosen)
-    return Mesh._of(content, notices)
+    with _scenes.as_mesh_file(file, allow_external) as readable:
+        return Mesh._of(*_core.read(readable, allow_external, strict, chosen))
 
 
 def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:

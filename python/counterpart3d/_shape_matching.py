@@ -199,6 +199,7 @@ def match_partial(
     *,
     part: Part = "unknown",
     same_scale: bool = False,
+    mirrored: bool = False,
     landmarks: Any = None,
     soft_landmarks: bool = False,
     excluded: Any = None,
@@ -218,6 +219,9 @@ def match_partial(
     source, target : MeshLike
     part, same_scale, landmarks, soft_landmarks, excluded, aligned, up, facing
         See `match`.
+    mirrored : bool
+        The map that reverses the orientation is wanted: the target shows the source's mirror image, as a left bone of
+        a right one. `match` tries both with ``mirror="auto"``.
     n_samples : int
         Farthest-point samples of the whole, 200 .. 5000; the part has a quarter as many.
     n_alternatives : int
@@ -250,6 +254,7 @@ def match_partial(
         _core.PartialOptions(),
         part=part,
         same_scale=same_scale,
+        mirrored=mirrored,
         landmarks=known_pairs(landmarks, "landmarks"),
         soft_landmarks=soft_landmarks,
         excluded=known_pairs(excluded, "excluded"),

@@ -13,14 +13,16 @@
 namespace counterpart::python {
 namespace {
 
+using namespace nb::literals;
+
 MatchMethod method_from_name(const std::string& name) {
     if (name == "auto") return MatchMethod::automatic;
     for (const MatchMethod method :
          {MatchMethod::exact, MatchMethod::frontiers, MatchMethod::partial, MatchMethod::spectral,
-          MatchMethod::place, MatchMethod::nearest, MatchMethod::assignment})
+          MatchMethod::place, MatchMethod::uv, MatchMethod::nearest, MatchMethod::assignment})
         if (name == to_string(method)) return method;
     throw InvalidInput("there is no method '" + name +
-                       "': auto, exact, frontiers, partial, spectral, place, nearest or assignment");
+                       "': auto, exact, frontiers, partial, spectral, place, uv, nearest or assignment");
 }
 
 Part part_from_name(const std::string& name) {
@@ -93,6 +95,7 @@ void bind_partial_options(nb::module_& module) {
     nb::class_<PartialOptions> options(module, "PartialOptions");
     options.def(nb::init<>())
         .def_rw("same_scale", &PartialOptions::same_scale)
+        .def_rw("mirrored", &PartialOptions::mirrored)
         .def_rw("soft_landmarks", &PartialOptions::soft_landmarks)
         .def_rw("aligned", &PartialOptions::aligned)
         .def_rw("n_samples", &PartialOptions::n_samples)
@@ -133,7 +136,17 @@ void bind_match_options(nb::module_& module) {
         .def_rw("spectral", &MatchOptions::spectral)
         .def_rw("spectral_shape", &MatchOptions::spectral_shape)
         .def_rw("partial", &MatchOptions::partial)
-        .def_rw("n_threads", &MatchOptions::n_threads);
+        .def_rw("n_threads", &MatchOptions::n_threads)
+        .def(
+            "set_uv",
+            [](MatchOptions& self, const AttributedMesh& source, const AttributedMesh& target) {
+                const auto first = [](const AttributedMesh& mesh) {
+                    return mesh.texture_coordinates.empty() ? CornerAttribute{} : mesh.texture_coordinates[0];
+                };
+                self.uv.source = first(source);
+                self.uv.target = first(target);
+            },
+            "source"_a, "target"_a);
     bind_converted(match, "method", &MatchOptions::method, method_from_name);
     bind_converted(match, "cache", &MatchOptions::prepared_shape, cached_in);
 }

@@ -95,12 +95,20 @@ nb::dict dictionary(PartialResult result) {
                                           other.score, "moved", other.moved));
     return dictionary_of("target_from_source", array(result.target_from_source), "source_from_target",
                          array(result.source_from_target), "confidence", array(std::move(result.confidence)),
-                         "part", to_string(result.part), "scale", result.scale, "source_share",
-                         result.source_share, "target_share", result.target_share, "score", result.score,
-                         "agreement", result.agreement, "margin", result.margin, "alternatives", alternatives,
-                         "source_touching", array(std::move(result.source_touching)), "target_touching",
-                         array(std::move(result.target_touching)), "messages", list_of(result.messages),
-                         "seconds", seconds_of(result.stages));
+                         "part", to_string(result.part), "scale", result.scale, "mirrored", result.mirrored,
+                         "source_share", result.source_share, "target_share", result.target_share, "score",
+                         result.score, "agreement", result.agreement, "margin", result.margin, "alternatives",
+                         alternatives, "source_touching", array(std::move(result.source_touching)),
+                         "target_touching", array(std::move(result.target_touching)), "messages",
+                         list_of(result.messages), "seconds", seconds_of(result.stages));
+}
+
+nb::dict dictionary(const UvResult& result) {
+    return dictionary_of("target_from_source", array(result.target_from_source), "surface",
+                         arrays(result.surface), "confidence", array(Vector(result.confidence)),
+                         "source_share", result.source_share, "target_share", result.target_share,
+                         "seam_agreement", result.seam_agreement, "n_by_place", result.n_by_place,
+                         "n_undecided", result.n_undecided);
 }
 
 nb::dict dictionary(const Verdict& verdict) {
@@ -131,7 +139,8 @@ nb::dict dictionary(MatchResult result) {
         list_of(result.causes), "seconds", seconds_of(result.stages), "exact",
         dictionary(std::move(result.exact)), "differences", dictionary(std::move(result.differences)),
         "frontiers", dictionary(std::move(result.frontiers)), "spectral",
-        dictionary(std::move(result.spectral)), "partial", dictionary(std::move(result.partial)));
+        dictionary(std::move(result.spectral)), "partial", dictionary(std::move(result.partial)), "uv",
+        dictionary(std::move(result.uv)));
 }
 
 using ShapeSource = decltype(MatchOptions::prepared_shape);

@@ -128,6 +128,18 @@ class Calls:
         mesh = self.handed(vertices, FLOATS), self.handed(triangles, INTEGERS)
         return self.pick(None, 5, mesh[:1]) if self.rarely(0.01) else mesh
 
+    def laid_out(self):
+        """A mesh with texture coordinates."""
+        vertices, triangles = self.pick(*SEEDS)
+        rows = np.round(np.array(vertices)[:, :2], self.pick(1, 6))  # some over one another, or without area
+        corners = np.array(triangles)
+        if self.rarely():
+            rows[self.random.integers(len(rows))] = self.pick(np.nan, np.inf, 1e300, 1e-300, 0)
+        if self.rarely():
+            corners[self.random.integers(len(corners)), self.random.integers(3)] = self.pick(-1, 2**31 - 1, len(rows))
+        pair = self.handed(rows, FLOATS), self.handed(corners, INTEGERS)
+        return cp.Mesh(vertices, triangles, texture_coordinates=[] if self.rarely() else [pair])
+
     def map(self, source):
         n = n_vertices(source)
         lowest = self.pick(0, 0, -1)
@@ -180,6 +192,10 @@ class Calls:
         weld, shared = self.pick(None, 0, 0.1, odd=[-1, np.nan]), self.number(0.9, 0.5, 1)
         return cp.match(a, b, method, weld_distance=weld, min_shared=shared, n_threads=self.number(1, 2))
 
+    def call_match_uv(self):
+        a, b = (self.laid_out() for _ in "ab")
+        return cp.match(a, b, "uv", n_threads=self.number(1, 2))
+
     def call_match_prepared(self):
         a, b = (cp.SpectralShape(self.pick(*SEEDS)) for _ in "ab")
         a = self.pick(a, copy.deepcopy(a), pickle.loads(pickle.dumps(a)))
@@ -207,7 +223,8 @@ class Calls:
 
     def call_match_partial(self):
         part = self.pick("unknown", "source", "target", "both", "neither", odd=["none"])
-        options = self.shape_options() | {"part": part, "same_scale": self.pick(True, False), "n_samples": 200}
+        flags = {name: self.pick(True, False) for name in ("same_scale", "mirrored")}
+        options = self.shape_options() | flags | {"part": part, "n_samples": 200}
         return cp.match_partial(self.mesh(), self.mesh(), **options)
 
     def call_match_nearest(self):

@@ -64,6 +64,10 @@ std::string to_string(MessageCode code) {
             return "same_order";
         case MessageCode::same_places:
             return "same_places";
+        case MessageCode::same_layout:
+            return "same_layout";
+        case MessageCode::layout_overlaps:
+            return "layout_overlaps";
         case MessageCode::components_differ:
             return "components_differ";
         case MessageCode::openness_differs:

@@ -104,6 +104,9 @@ class Matching {
             case MatchMethod::place:
                 place();
                 break;
+            case MatchMethod::uv:
+                uv();
+                break;
             case MatchMethod::nearest:
                 nearest(NearestAlignment::centroids, 0);
                 break;
@@ -179,6 +182,17 @@ class Matching {
         else if (options_.method == MatchMethod::place)  // else the reason says it
             add({{MessageCode::same_places, Severity::notice, result_.place->sentence}});
         watch_.lap("place");
+    }
+
+    void uv() {
+        UvOptions options = options_.uv;
+        options.n_threads = options_.n_threads;
+        options.progress = progress_;
+        result_.uv = match_uv(source_, target_, options);
+        result_.target_from_source = result_.uv->target_from_source;
+        result_.confidence = result_.uv->confidence;
+        add(uv_messages(*result_.uv));
+        watch_.lap("uv");
     }
 
     // The better of the map without what connectivity is sure of and the one that its pairs lead.
@@ -350,6 +364,7 @@ class Matching {
                   against + ": nothing better was found that does not"}});
         const double target_share = result_.partial                        ? result_.partial->target_share
                                     : result_.method == MatchMethod::place ? result_.place->target_share
+                                    : result_.uv                           ? result_.uv->target_share
                                     : result_.differences && result_.method == MatchMethod::exact
                                         ? result_.differences->target_share
                                         : judgment::share_of_images(map);
@@ -386,6 +401,8 @@ std::string to_string(MatchMethod method) {
             return "partial";
         case MatchMethod::place:
             return "place";
+        case MatchMethod::uv:
+            return "uv";
         case MatchMethod::nearest:
             return "nearest";
         case MatchMethod::assignment:

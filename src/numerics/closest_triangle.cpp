@@ -138,10 +138,7 @@ ClosestPoint ClosestTriangle::search(const Eigen::Vector3d& query, const Eigen::
         for (Index i = node.begin; i < node.end; ++i) {
             const Index t = order_[static_cast<std::size_t>(i)];
             if (normals_.row(t).dot(normal) <= least_cosine) continue;
-            ClosestPoint point = closest_on_triangle(query, vertices_.row(triangles_(t, 0)).transpose(),
-                                                     vertices_.row(triangles_(t, 1)).transpose(),
-                                                     vertices_.row(triangles_(t, 2)).transpose());
-            point.triangle = t;
+            const ClosestPoint point = on(t, query);
             if (point.squared_distance < best.squared_distance ||
                 (point.squared_distance == best.squared_distance &&
                  (best.triangle < 0 || t < best.triangle))) {
@@ -150,6 +147,41 @@ ClosestPoint ClosestTriangle::search(const Eigen::Vector3d& query, const Eigen::
         }
     }
     return best;
+}
+
+std::vector<ClosestPoint> ClosestTriangle::all_within(const Eigen::Vector3d& query,
+                                                      const Eigen::Vector3d& normal, double least_cosine,
+                                                      double radius, std::size_t most) const {
+    std::vector<ClosestPoint> found;
+    std::vector<Index> open;
+    if (!nodes_.empty()) open.push_back(0);
+    while (!open.empty() && found.size() <= most) {
+        const Index number = open.back();
+        open.pop_back();
+        const Node& node = nodes_[static_cast<std::size_t>(number)];
+        if (squared_distance_to_box(query.array(), node.low, node.high) > radius * radius) continue;
+        if (node.right != 0) {
+            open.insert(open.end(), {node.right, number + 1});
+            continue;
+        }
+        for (Index i = node.begin; i < node.end && found.size() <= most; ++i) {
+            const Index t = order_[static_cast<std::size_t>(i)];
+            if (normals_.row(t).dot(normal) <= least_cosine) continue;
+            const ClosestPoint point = on(t, query);
+            if (point.squared_distance <= radius * radius) found.push_back(point);
+        }
+    }
+    std::sort(found.begin(), found.end(),
+              [](const ClosestPoint& a, const ClosestPoint& b) { return a.triangle < b.triangle; });
+    return found;
+}
+
+ClosestPoint ClosestTriangle::on(Index triangle, const Eigen::Vector3d& query) const {
+    ClosestPoint point = closest_on_triangle(query, vertices_.row(triangles_(triangle, 0)).transpose(),
+                                             vertices_.row(triangles_(triangle, 1)).transpose(),
+                                             vertices_.row(triangles_(triangle, 2)).transpose());
+    point.triangle = triangle;
+    return point;
 }
 
 Eigen::Vector3d ClosestTriangle::position(const ClosestPoint& point) const {

@@ -45,6 +45,11 @@ class ClosestTriangle {
         return search(query, normal, least_cosine, radius);
     }
 
+    /// The points of the triangles within `radius` of the query whose unit normal has a product above
+    /// `least_cosine` with `normal`, by triangles; of more than `most` triangles some `most` + 1.
+    std::vector<ClosestPoint> all_within(const Eigen::Vector3d& query, const Eigen::Vector3d& normal,
+                                         double least_cosine, double radius, std::size_t most) const;
+
     Eigen::Vector3d position(const ClosestPoint& point) const;
     PointsView normals() const { return normals_; }
 
@@ -54,6 +59,7 @@ class ClosestTriangle {
         Index begin, end;  // leaf: triangles order_[begin .. end)
         Index right;       // inner: the left child follows its parent; 0 = leaf
     };
+    ClosestPoint on(Index triangle, const Eigen::Vector3d& query) const;
     void build(Index begin, Index end, PointsView centers);
     ClosestPoint search(const Eigen::Vector3d& query, const Eigen::Vector3d& normal, double least_cosine,
                         double radius) const;

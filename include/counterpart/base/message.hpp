@@ -46,6 +46,7 @@ enum class MessageCode {
     connectivity_undecided,
     same_order,          ///< vertex i is vertex i
     same_places,         ///< vertices of the one lie where those of the other lie
+    same_layout,         ///< of texture coordinates
     components_differ,   ///< in number
     openness_differs,    ///< one is open, the other closed
     scale_differs,       ///< in size, or in units of length
@@ -63,6 +64,7 @@ enum class MessageCode {
     poor_score,                  ///< no map fits well
     close_runner_up,             ///< another map fits nearly as well
     misfit,                      ///< parts that should meet do not
+    layout_overlaps,             ///< several places have the same texture coordinates
     unsure,                      ///< little confidence on the whole
     no_partners,                 ///< nothing is matched
     few_partners,                ///< less than half is matched

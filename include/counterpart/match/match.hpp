@@ -9,6 +9,7 @@
 #include <counterpart/match/partial.hpp>
 #include <counterpart/match/place.hpp>
 #include <counterpart/match/spectral.hpp>
+#include <counterpart/match/uv.hpp>
 
 #include <functional>
 #include <optional>
@@ -24,6 +25,7 @@ enum class MatchMethod {
     spectral,    ///< any two triangulations of alike shapes (match_spectral)
     partial,     ///< parts, surfaces with holes or fused with themselves (match_partial)
     place,       ///< what lies in the same place, as the meshes are (match_place)
+    uv,          ///< what has the same texture coordinates (match_uv)
     nearest,     ///< closest vertices after the centers of mass are aligned (match_nearest)
     assignment,  ///< one to one with the least total distance (match_assignment)
 };
@@ -45,6 +47,7 @@ struct MatchOptions {
     std::function<SpectralShape(MeshView, const SpectralShapeOptions&)> prepared_shape{};
     PartialOptions
         partial{};        ///< if its part is not unknown, automatic takes partial where connectivity fails
+    UvOptions uv{};       ///< with the texture coordinates of both meshes, where that method is asked for
     int n_threads = 0;    ///< 0 = all; the result does not depend on it
     Progress progress{};  ///< see base/progress.hpp
 };
@@ -68,6 +71,7 @@ struct MatchResult {
     std::optional<MeshDifferences> differences{};
     std::optional<FrontiersResult> frontiers{};
     std::optional<PlaceResult> place{};
+    std::optional<UvResult> uv{};
     std::optional<SpectralResult> spectral{};
     std::optional<PartialResult> partial{};
 };

@@ -34,7 +34,8 @@ void refuse_unfollowed(const MatchOptions& options, MatchMethod method) {
     refuse(has_landmarks(options), "landmarks", followed);
     refuse(is_mirror_wanted(options), "the mirrored map", followed);
     refuse(spectral.mirror == Mirror::never, "mirror=never",
-           {MatchMethod::spectral, MatchMethod::partial, MatchMethod::exact, MatchMethod::place});
+           {MatchMethod::spectral, MatchMethod::partial, MatchMethod::exact, MatchMethod::place,
+            MatchMethod::uv});
     refuse(spectral.initial.has_value(), "initial", {MatchMethod::spectral});
     // Under automatic the maps of connectivity and of place are taken only where they agree.
     const bool is_checked =
