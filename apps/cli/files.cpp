@@ -95,13 +95,16 @@ void refuse_scenes(const FileArguments& files) {
     for (const FileArgument& argument : files) {
         if (argument.written) continue;
         for (const fs::path* file : argument.names()) {
+            if (!is_scene(*file)) continue;
             std::error_code ignored;
-            if (is_scene(*file) && fs::is_regular_file(*file, ignored))
+            if (!fs::exists(*file, ignored))
                 throw InvalidInput(
-                    fmt::format("{} {}: this is a scene; 'counterpart import {} {}' makes a mesh file of it, "
-                                "through Blender",
-                                argument.option, utf8_name(*file), utf8_name(*file),
-                                utf8_name(fs::path(*file).replace_extension(".glb"))));
+                    fmt::format("{} {}: there is no such file", argument.option, utf8_name(*file)));
+            throw InvalidInput(
+                fmt::format("{} {}: this is a scene; 'counterpart import {} {}' makes a mesh file of it, "
+                            "through Blender",
+                            argument.option, utf8_name(*file), utf8_name(*file),
+                            utf8_name(fs::path(*file).replace_extension(".glb"))));
         }
     }
 }

@@ -13,10 +13,12 @@
 #include <counterpart/map/surface_map.hpp>
 #include <counterpart/match/differences.hpp>
 #include <counterpart/match/exact.hpp>
+#include <counterpart/match/place.hpp>
 #include <counterpart/match/volume.hpp>
 #include <counterpart/transfer/reorder.hpp>
 
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -89,6 +91,30 @@ std::string why_not(const ReorderCommand& command, const TriangleMesh& source, c
         difference, advice, advice.empty() ? "" : "; ", utf8_name(command.source), utf8_name(command.target));
 }
 
+// Where the vertices of both meshes lie at the same places, whatever triangles join them.
+std::optional<PlaceResult> at_same_places(const TriangleMesh& source, const TriangleMesh& target,
+                                          const ReorderCommand& command) {
+    try {
+        PlaceResult found = match_place(source, target, {.n_threads = command.common.threads});
+        if (found.same_vertices) return found;
+    } catch (const UnsuitableMesh&) {  // without area: no place shows
+    }
+    return std::nullopt;
+}
+
+// The source's mesh: its vertices at the target's places, which its own tell.
+void run_at_same_places(const ReorderCommand& command, AttributedMesh source, const TriangleMesh& target,
+                        const PlaceResult& places, Stopwatch& watch) {
+    for (Index v = 0; v < source.mesh.n_vertices(); ++v)
+        if (places.target_from_source[v] != VertexMap::unmatched)
+            source.mesh.vertices.row(v) = target.vertices.row(places.target_from_source[v]);
+    write_attributed_mesh(source, command.output);
+    watch.lap("write");
+    report(command, {source.mesh, target, command.source, command.target},
+           {{MessageCode::same_places, Severity::notice, places.sentence}},
+           {source.mesh.n_vertices(), {}, Json::object(), watch.stages()});
+}
+
 // The source's mesh in the target's shape: what both have is at the target's places, the rest of the source
 // goes with what surrounds it, and the rest of the target is left out.
 void run_with_differences(const ReorderCommand& command, AttributedMesh source, const TriangleMesh& target,
@@ -138,6 +164,8 @@ void run(const ReorderCommand& command) {
     if (!match.identical) {
         if (!command.allow_differences)
             throw InvalidInput(why_not(command, source, target, match.difference));
+        if (const auto places = at_same_places(source, target, command))
+            return run_at_same_places(command, source_content, target, *places, watch);
         return run_with_differences(command, source_content, target, watch);
     }
     if (match.mirrored) {

@@ -125,6 +125,24 @@ run reorder two.off two_off.off -o back.off
 cmp -s back.off <("$program" convert two.off copy.off -q; cat copy.off) || fail "reorder did not give back the positions"
 run reorder quads.obj quads.obj -o quads_back.obj
 diff quads.obj quads_back.obj > /dev/null || fail "reorder changed a file that is in order already"
+# All quads cut along the other diagonal, and one triangle gone: what lies at the same places shows the order.
+python3 - << 'END'
+import math
+n = 7
+places = [(i, j, math.sin(i * 1.3) * math.cos(j * 0.7)) for i in range(n) for j in range(n)]
+cells = [(i * n + j, (i + 1) * n + j, (i + 1) * n + j + 1, i * n + j + 1) for i in range(n - 1) for j in range(n - 1)]
+def write(name, vertices, triangles):
+    with open(name, "w") as file:
+        print("OFF", len(vertices), len(triangles), 0, file=file)
+        for v in vertices: print(*v, file=file)
+        for t in triangles: print(3, *t, file=file)
+write("cut.off", places, [t for a, b, c, d in cells for t in ((a, b, c), (a, c, d))])
+last = n * n - 1
+write("recut.off", places[::-1], [tuple(last - v for v in t) for a, b, c, d in cells for t in ((a, b, d), (b, c, d))][:-1])
+END
+refuse 1 "different connectivity" reorder cut.off recut.off -o no.off
+run reorder cut.off recut.off -o back.off --allow-differences
+cmp -s back.off <("$program" convert cut.off copy.off -q; cat copy.off) || fail "reorder did not find what lies at the same places"
 # Of a mesh that lost a part: what both have lies where the target has it, the rest where it would be.
 refuse 1 "different connectivity.*--allow-differences restores what both have" reorder source.off bald.off -o no.off
 run reorder source.off bald.off --allow-differences -o bald_back.off --report report.json
