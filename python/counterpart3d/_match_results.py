@@ -168,8 +168,10 @@ class UvResult(MapResult):
     confidence : ndarray, (n_source,)
         At most 0.95, less the farther outside of the target's charts the coordinates lie; half of it where place chose
         between charts over one another; 0 where coordinates at a seam lead to places apart.
-    source_share, target_share : float
-        Of the vertices of either mesh that have texture coordinates, the share that lies in a chart of the other.
+    source_share : float
+        Of the source vertices that have texture coordinates, the share that lies in a chart of the target.
+    target_share : float
+        The same of the target.
     seam_agreement : float
         Of the source vertices at seams, the share whose coordinates all lead to one place; 1 if there are none.
     n_by_place : int

@@ -37,8 +37,11 @@ def test_vertices_find_their_coordinates(sheets):
 def test_the_map_to_points_goes_wherever_a_map_goes(sheets):
     fine, coarse = make_sheet(12, True, 0), sheets[1]
     found = cp.match(fine, coarse, method="uv").uv
-    carried = cp.transfer_values(fine, coarse, found.surface, coarse.vertices)
-    np.testing.assert_allclose(carried[:, :2], fine.vertices[:, :2], atol=1e-12)
+    corners = coarse.vertices[coarse.triangles[found.surface.triangle]]
+    images = (found.surface.weights[:, :, None] * corners).sum(axis=1)
+    np.testing.assert_allclose(images[:, :2], fine.vertices[:, :2], atol=1e-12)
+    carried = cp.transfer_values(fine, coarse, found.surface, fine.vertices)
+    np.testing.assert_allclose(carried[:, :2], coarse.vertices[:, :2], atol=1e-9)
 
 
 def test_what_has_no_coordinates_is_refused(sheets):
