@@ -108,8 +108,7 @@ UvResult result_of(const std::vector<std::vector<Located>>& vertices, MeshView t
 std::string sentence_of(const UvResult& result) {
     return fmt::format(
         "the texture coordinates are laid out {}: {:.0f} % of the source's vertices lie in the target's "
-        "charts, "
-        "{:.0f} % of the target's in the source's, and seams close at {:.0f} % of the vertices there",
+        "charts, {:.0f} % of the target's in the source's, and seams close at {:.0f} % of the vertices there",
         laid_out_alike(result) ? "alike" : "differently", 100 * result.source_share,
         100 * result.target_share, 100 * result.seam_agreement);
 }
@@ -129,8 +128,7 @@ UvResult match_uv(MeshView source, MeshView target, const UvOptions& options) {
         if (count_matched(found.surface) == 0 && found.n_undecided == 0)
             throw InvalidInput(
                 "none of the source's texture coordinates lies in a chart of the target that faces the same "
-                "way: the "
-                "meshes are laid out differently, or one of them is mirrored");
+                "way: the meshes are laid out differently, or one of them is mirrored");
         report_progress(options.progress, 0.5);
         found.target_share =
             share_located(by_vertex(uv::locate(to, from, reach, near_on(source)), target.n_vertices()));
