@@ -125,6 +125,7 @@ MethodCommand add_partial_method(CLI::App& match, const std::shared_ptr<PartialA
             [arguments, shared](const MatchInput& input) {
                 MatchOptions options{.method = MatchMethod::partial,
                                      .partial = arguments->options_for(input, *shared)};
+                options.spectral.mirror = shared->options_for(input).mirror;
                 options.n_threads = input.common.threads;
                 options.progress = input.progress;
                 const MatchResult result = counterpart::match(input.source, input.target, options);

@@ -13,7 +13,8 @@ namespace {
 
 // Parts of one shape score 0.92 and more; those of other individuals 0.65 to 0.83, and the half of a bone on
 // the bone of the other side no less. Read in the mirror the latter gains 0.09 (2 pairs), one of bodies that
-// are alike left and right at most 0.01 where its map is right (10 pairs).
+// are alike left and right at most 0.01 where its map is right (10 pairs). Of two parts it tells nothing: the
+// left half of a body looks like the mirror image of the right half of another, with which it shares nothing.
 constexpr double one_shape = 0.85, clear_gain = 0.06;
 
 bool is_told(const PartialOptions& options) {
@@ -35,6 +36,15 @@ PartialResult match_both_readings(MeshView source, MeshView target, const Partia
     try {
         mirrored = match_partial(source, target, reading);
     } catch (const NumericalError&) {  // nothing fits in the mirror: the other reading stands
+        return found;
+    }
+    if (mirrored.score > found.score + clear_gain && found.part == Part::both) {
+        found.messages.push_back(
+            {MessageCode::handedness_unknown, Severity::caution,
+             fmt::format(
+                 "read in the mirror the parts look more alike (score {:.2f} against {:.2f}), as a left "
+                 "and a right side do: mirror=always if one shows the other's mirror image",
+                 mirrored.score, found.score)});
         return found;
     }
     if (mirrored.score > found.score + clear_gain) {
