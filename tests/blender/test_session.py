@@ -227,7 +227,7 @@ def test_computations_report_and_can_be_canceled(hero, name):
     compute = kind.computation(own, [pair])
     said = []
     compute([pair.kept], lambda fraction: said.append(fraction) or True)
-    assert len(said) > 3 and said == sorted(said) and said[0] >= 0 and said[-1] <= 1
+    assert len(said) > 1 and said == sorted(said) and said[0] >= 0 and said[-1] <= 1  # as often as time passes
     for limit in (0, 0.1, 0.4):
         with pytest.raises(cp.Canceled):
             compute([pair.kept], lambda fraction, limit=limit: fraction < limit)
