@@ -145,8 +145,7 @@ class Readings {
             read_in_the_mirror();
             mirrored_score_ = search(*in_the_mirror_, progress.part(is_asked ? 0 : 0.7, is_asked ? 1 : 0.9));
         }
-        is_mirrored_ = !as_it_is_ || (in_the_mirror_ && mirrored_score_ > score_ + least_gain() &&
-                                      (is_inside_out() || is_clear_of_symmetry(progress.part(0.9, 1))));
+        decide(progress.part(0.9, 1));
     }
 
     SpectralResult finish(const ProgressRange& progress) {
@@ -201,12 +200,16 @@ class Readings {
 
     // Of a body that is alike left and right both readings fit, and poses decide which does better. A left
     // bone is less like its own mirror image than a right one of somebody else is.
-    bool is_clear_of_symmetry(const ProgressRange& progress) {
+    void decide(const ProgressRange& progress) {
+        is_mirrored_ = !as_it_is_;
+        if (!as_it_is_ || !in_the_mirror_ || !(mirrored_score_ > score_ + least_gain())) return;
+        is_mirrored_ = true;
+        if (is_inside_out()) return;
         const double own = std::max(score_on_mirror_image(source_, progress.part(0, 0.5)),
                                     score_on_mirror_image(target_, progress.part(0.5, 1)));
-        if (own >= mirrored_score_) in_the_mirror_.reset();
         const bool is_posed = as_it_is_->normals() < tuning_.mirror.same_pose;
-        return mirrored_score_ > own + (is_posed ? tuning_.mirror.clear_of_own : 0);
+        is_mirrored_ = mirrored_score_ > own + (is_posed ? tuning_.mirror.clear_of_own : 0);
+        if (own >= mirrored_score_) in_the_mirror_.reset();  // of such a shape it is not worth telling
     }
 
     double score_on_mirror_image(const PreparedShape& shape, const ProgressRange& progress) {

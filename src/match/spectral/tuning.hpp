@@ -317,7 +317,7 @@ struct MirrorTuning {
     double clear_gain = 0.06, close = 0.06;
     /// Where normals agree less by the other reading, poses differ, and the map must be better by so much
     /// than that of either shape to its own mirror image: of bodies in poses that mirror each other it is by
-    /// 0.05 to 0.09 (4 pairs, normals 0.82 to 0.89), of bones, hands and hemispheres by 0.14 and more. Warped
+    /// 0.05 to 0.09 (3 pairs, normals 0.82 to 0.89), of bones, hands and hemispheres by 0.14 and more. Warped
     /// shapes in one pose (normals 0.93) are better by as little as 0.02.
     double same_pose = 0.9;
     double clear_of_own = 0.11;
