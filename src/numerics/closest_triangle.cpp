@@ -91,7 +91,11 @@ ClosestTriangle::ClosestTriangle(Points vertices, Triangles triangles)
 void ClosestTriangle::build(Index begin, Index end, PointsView centers) {
     const std::size_t mine = nodes_.size();
     Node node{Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()),
-              Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity()), begin, end, 0};
+              Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity()),
+              begin,
+              end,
+              0,
+              *std::min_element(order_.begin() + begin, order_.begin() + end)};
     for (Index i = begin; i < end; ++i) {
         for (int c = 0; c < 3; ++c) {
             const Eigen::Array3d corner =
@@ -125,7 +129,10 @@ ClosestPoint ClosestTriangle::search(const Eigen::Vector3d& query, const Eigen::
     while (depth > 0) {
         const Index number = stack[--depth];
         const Node& node = nodes_[static_cast<std::size_t>(number)];
-        if (squared_distance_to_box(query.array(), node.low, node.high) > best.squared_distance) continue;
+        const double at_least = squared_distance_to_box(query.array(), node.low, node.high);
+        if (at_least > best.squared_distance) continue;
+        // At the tip of a fan all triangles are equally close.
+        if (at_least == best.squared_distance && best.triangle >= 0 && node.first > best.triangle) continue;
         if (node.right != 0) {
             const Node& left = nodes_[static_cast<std::size_t>(number) + 1];
             const Node& right = nodes_[static_cast<std::size_t>(node.right)];

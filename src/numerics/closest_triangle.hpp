@@ -58,6 +58,7 @@ class ClosestTriangle {
         Eigen::Array3d low, high;
         Index begin, end;  // leaf: triangles order_[begin .. end)
         Index right;       // inner: the left child follows its parent; 0 = leaf
+        Index first;       // the smallest of its triangles
     };
     ClosestPoint on(Index triangle, const Eigen::Vector3d& query) const;
     void build(Index begin, Index end, PointsView centers);

@@ -4,6 +4,8 @@
 
 #include "base/random.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace counterpart::numerics {
@@ -37,6 +39,32 @@ TEST(ClosestTriangle, AllWithinARadiusAreThoseOfBruteForce) {
             if (expected.size() > 3) {
                 EXPECT_EQ(tree.all_within(query, up, 0, radius, 3).size(), 4U);
             }
+        }
+    }
+}
+
+// Triangles around one tip, each with its own vertex there: of equally close ones that face the query's way
+// the first.
+TEST(ClosestTriangle, OfManyThatMeetTheFirst) {
+    constexpr Index n = 300;
+    Points vertices(2 * n, 3);
+    Triangles triangles(n, 3);
+    for (Index i = 0; i < n; ++i) {
+        const double angle = 6.283185307179586 * ((7 * i) % n) / n;
+        vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+        vertices.row(n + i) << 0, 0, 1;
+        triangles.row(i) << i, (i + 43) % n, n + i;  // 43 * 7 = 1 more
+    }
+    const ClosestTriangle tree(vertices, triangles);
+    for (const Eigen::Vector3d& query : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, 2)}) {
+        EXPECT_EQ(tree.closest(query).triangle, 0);
+        for (Index i = 0; i < n; i += 11) {
+            const Eigen::Vector3d normal = tree.normals().row(i);
+            std::vector<Index> facing;
+            for (Index t = 0; t < n; ++t)
+                if (tree.normals().row(t).dot(normal) > 0.9) facing.push_back(t);
+            EXPECT_EQ(tree.closest(query, normal, 0.9).triangle,
+                      closest_among(facing, vertices, triangles, query).triangle);
         }
     }
 }
