@@ -43,6 +43,14 @@ double mean_of_matched(const PartialResult& result) {
     return n > 0 ? sum / n : std::numeric_limits<double>::infinity();
 }
 
+// How much a runner-up counts, against 1 for the map that was taken.
+double likelihood_of(const Fit& fit, const Fit& best, const ConfidenceTuning& tuning) {
+    const double by_total = std::exp((fit.total - best.total) / tuning.temperature);
+    if (tuning.likeness_temperature == 0) return by_total;
+    const double by_likeness = std::exp((fit.score - best.score) / tuning.likeness_temperature);
+    return std::max(by_total, std::min(by_likeness, 1.0));
+}
+
 }  // namespace
 
 double whole_confidence(const Fit& fit, const Finish& finish, const ConfidenceTuning& tuning) {
@@ -69,7 +77,7 @@ Vector confidence(const Surface& part, const Surface& whole, const std::vector<F
         const auto i = static_cast<std::size_t>(v);
         double agreeing = 0, likelihoods = 0;
         for (const Fit& fit : found) {
-            const double likelihood = std::exp((fit.total - best.total) / tuning.temperature);
+            const double likelihood = likelihood_of(fit, best, tuning);
             likelihoods += likelihood;
             if (agree(best.bent, fit.bent, i, whole, tuning.same_place)) agreeing += likelihood;
         }
