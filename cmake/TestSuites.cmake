@@ -1,6 +1,6 @@
 # counterpart_add_suites(TARGET SOURCES... [EXCLUDE patterns] [PROPERTIES ...]): one CTest entry per test suite of a
-# GoogleTest program, so that a suite prepares its shapes once (SetUpTestSuite) and a process is started per suite, not per test. The suites
-# are those that the sources name; should a macro hide one, `TARGET.others` runs it.
+# GoogleTest program, so that a suite prepares its shapes once (SetUpTestSuite) and a process is started per suite, not per test.
+# The suites are those that the sources name; should a macro hide one, `TARGET.others` runs it.
 function(counterpart_add_suites target)
   cmake_parse_arguments(PARSE_ARGV 1 suites "" "EXCLUDE" "PROPERTIES")
   set(sources ${suites_UNPARSED_ARGUMENTS})

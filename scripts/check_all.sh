@@ -18,7 +18,9 @@ default() {
     -DCOUNTERPART_TESTS=OFF > /dev/null && cmake --build build/default
 }
 benchmarks() { cmake --preset release > /dev/null && cmake --build --preset release --target benchmarks; }
-consumers() { cmake --preset release > /dev/null && cmake --build --preset release && ctest --preset release -L full -j "$(nproc)"; }
+consumers() {
+  cmake --preset release > /dev/null && cmake --build --preset release && ctest --preset release -L full -j "$(nproc)"
+}
 python() { scripts/test_python.sh; }
 # Installs Chromium and Node.js where they are missing, for the next step too.
 viewer() { scripts/test_viewer.sh; }

@@ -67,15 +67,16 @@ def python_functions() -> None:
     folder = PAGES / "python"
     folder.mkdir(exist_ok=True)
 
-    def page(row: re.Match[str]) -> str:
-        name = row[1]
+    def page(match: re.Match[str]) -> str:
+        name = match[1]
         (folder / f"{name}.md").write_text(
             f"# {name}\n\n::: counterpart3d.{name}\n    options:\n      show_root_heading: false\n"
         )
-        return f"| [`{name}`](python/{name}.md) |"
+        return f"[`{name}`](python/{name}.md)"
 
     overview = PAGES / "python.md"
-    overview.write_text(re.sub(r"^\| `(\w+)` \|", page, overview.read_text(), flags=re.MULTILINE))
+    listed = re.compile(r"^(- `\w+`(?=: )|Results: [^.]*)", re.MULTILINE)
+    overview.write_text(listed.sub(lambda names: re.sub(r"`(\w+)`", page, names[0]), overview.read_text()))
 
 
 def help_of(*command: str) -> str:

@@ -10,8 +10,8 @@
 # fuzz.sh coverage                     the lines of each reader that its corpus and tests/fuzz/cases reach
 #
 # Starts from tests/fuzz/cases, keeps what reaches new code below build/fuzz/corpus, and what crashes, takes over 10 s of
-# processor time, 100 s by the clock or 2 GB below build/fuzz/found: make it small (fuzz_readers -minimize_crash=1), fix it, and put it into
-# tests/fuzz/cases.
+# processor time, 100 s by the clock or 2 GB below build/fuzz/found: make it small (fuzz_readers -minimize_crash=1), fix it,
+# and put it into tests/fuzz/cases.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 readers="off obj ply stl msh medit vtk vtp gii ele gltf npy map surface_map landmarks landmark_points shape"
@@ -60,9 +60,12 @@ counts() {
 # The sources of each reader, by lines; for glTF, what writes it by itself.
 coverage() {
   local target program source found
-  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh [medit]=medit [vtk]="vtk vtk_data" [vtp]="vtp xml inflate" [gii]=gifti [ele]=ele
-    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes [landmarks]=landmark_file [landmark_points]="landmark_json landmark_text"
-    [surface_map]=surface_map_file [shape]=../match/spectral/stored_shape [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
+  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh
+    [medit]=medit [vtk]="vtk vtk_data" [vtp]="vtp xml inflate" [gii]=gifti [ele]=ele
+    [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes
+    [landmarks]=landmark_file [landmark_points]="landmark_json landmark_text"
+    [surface_map]=surface_map_file [shape]=../match/spectral/stored_shape
+    [gltf_writing]="gltf_bytes gltf_materials gltf_split gltf_store gltf_write")
   for target in ${*:-$readers gltf_writing}; do
     program=$(program_of fuzz-coverage "${target%_writing}")
     mkdir -p "build/fuzz/corpus/${target%_writing}"

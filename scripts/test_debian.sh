@@ -30,7 +30,10 @@ git archive HEAD | tar x -C "$tree/counterpart"
 
 mountpoint -q "$tree/proc" || mount -t proc proc "$tree/proc"
 trap 'umount "$tree/proc"' EXIT
-run() { chroot "$tree" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 /bin/bash -euxc "cd /counterpart; $1"; }
+run() {
+  chroot "$tree" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+    /bin/bash -euxc "cd /counterpart; $1"
+}
 
 test_sources() {
   run 'scripts/setup.sh

@@ -24,6 +24,7 @@ ignored=(--ignore=python/tests/made_scenes.py --ignore="$PYTHONPATH/counterpart3
 "$venv/bin/python" -m pytest -q "${options[@]}" "${ignored[@]}" --doctest-modules python/tests "$PYTHONPATH/counterpart3d"
 "$venv/bin/python" scripts/tutorial_code.py build/tutorials
 "$venv/bin/mypy" --cache-dir build/mypy "$PYTHONPATH/counterpart3d" python/examples benchmarks/python build/tutorials
-[ "${1:-}" = --quick ] || "$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
+[ "${1:-}" = --quick ] ||
+  "$venv/bin/basedpyright" --pythonpath "$venv/bin/python" python/examples benchmarks/python build/tutorials
 "$venv/bin/ruff" check --no-cache .
 "$venv/bin/ruff" format --no-cache --check .

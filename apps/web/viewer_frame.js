@@ -5,7 +5,10 @@
 import { readFileSync, writeFileSync } from "node:fs";
 
 const replaced = [
-  ["script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:", "script-src 'self'; style-src 'self'; img-src data: blob:"],
+  [
+    "script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:",
+    "script-src 'self'; style-src 'self'; img-src data: blob:",
+  ],
   ['<script type="module" src="/src/main.ts"></script>', '<script type="module" src="/src/frame.ts"></script>'],
   ["    <!--counterpart-data-->\n", ""],
 ];

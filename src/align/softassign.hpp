@@ -48,9 +48,4 @@ class Softassign {
     std::vector<float> u_, v_, column_sums_;
 };
 
-/// The same in double precision with the full (N + 1) x (M + 1) matrix, normalized in place; the test oracle.
-/// Returns N x M.
-Matrix softassign_reference(const Matrix& target, const Matrix& transformed, double temperature,
-                            const SoftassignOptions& options);
-
 }  // namespace counterpart::align

@@ -62,7 +62,8 @@ ends 0 match source.obj half.off --fill -o whole.txt -q
 unmatched() { grep -c '^-1$' "$1" || true; }
 ends 0 match source.obj half.off --method exact --allow-differences -o exact.txt -q
 ends 0 match source.obj half.off --method exact --allow-differences --fill-edges 2 -o near.txt -q
-[ "$(unmatched near.txt)" -gt 0 ] && [ "$(unmatched near.txt)" -lt "$(unmatched exact.txt)" ] || fail "--fill-edges fills those nearby only"
+[ "$(unmatched near.txt)" -gt 0 ] && [ "$(unmatched near.txt)" -lt "$(unmatched exact.txt)" ] ||
+  fail "--fill-edges fills those nearby only"
 ends 2 match source.obj half.off --fill-edges 0 -o near.txt
 ends 2 match source.obj half.off --fill --fill-edges 1 -o near.txt
 ends 0 match source.obj half.off --method exact --allow-differences -o exact.txt --inverse back.txt -q

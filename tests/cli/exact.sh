@@ -59,7 +59,8 @@ write("torus_b.off", *torus(10, 12))
 a, s = torus(6, 20)
 write("two.off", a + [[x + 10, y + 2, z] for x, y, z in a], s + [[c + len(a) for c in t] for t in s])
 open("quads.obj", "w").write("mtllib a.mtl\no box\n" + "".join("v %d %d %d\n" % (k & 1, k >> 1 & 1, k >> 2 & 1)
-    for k in range(8)) + "v 2 2 3\nusemtl red\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\ng end\nf 1 5 7 3\nf 8 6 9\nf 2 9 6\nf 4 9 2\nf 8 9 4\n")
+    for k in range(8)) + "v 2 2 3\nusemtl red\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\ng end\n"
+    "f 1 5 7 3\nf 8 6 9\nf 2 9 6\nf 4 9 2\nf 8 9 4\n")
 END
 run deform body source.off
 run deform source.off target.off --bend 50 --twist 30 --move --shuffle 5 --truth truth.txt
@@ -89,7 +90,8 @@ for kind in mirror mirror_inside_out inside_out; do
   else
     ! grep -q "mirror image" said out || { cat said out; fail "$kind is no mirror image"; }
   fi
-  [ $kind = mirror ] || grep -q "$kind.off: inside out: its triangles are turned, or it is mirrored" out || fail "$kind: inspect does not say inside out"
+  [ $kind = mirror ] || grep -q "$kind.off: inside out: its triangles are turned, or it is mirrored" out ||
+    fail "$kind: inspect does not say inside out"
 done
 seq 0 $(($(wc -l < mirror.txt) - 1)) | cmp -s - mirror.txt || fail "the map to the mirror image is not the true one"
 
@@ -143,11 +145,13 @@ write("recut.off", places[::-1], recut[:40] + recut[41:])
 END
 refuse 1 "different connectivity" reorder cut.off recut.off -o no.off
 run reorder cut.off recut.off -o back.off --allow-differences
-cmp -s back.off <("$program" convert cut.off copy.off -q; cat copy.off) || fail "reorder did not find what lies at the same places"
+cmp -s back.off <("$program" convert cut.off copy.off -q; cat copy.off) ||
+  fail "reorder did not find what lies at the same places"
 # Of a mesh that lost a part: what both have lies where the target has it, the rest where it would be.
 refuse 1 "different connectivity.*--allow-differences restores what both have" reorder source.off bald.off -o no.off
 run reorder source.off bald.off --allow-differences -o bald_back.off --report report.json
-grep -qE "^check: [0-9]+ of [0-9]+ vertices are not in bald.off and go with those around them" err || { cat err; fail "what is guessed is not said"; }
+grep -qE "^check: [0-9]+ of [0-9]+ vertices are not in bald.off and go with those around them" err ||
+  { cat err; fail "what is guessed is not said"; }
 python3 - << 'END' || fail "not restored"
 import json, math
 def read(name):

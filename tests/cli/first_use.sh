@@ -66,10 +66,12 @@ with open("torus.obj", "w") as out:
             out.write("v %g %g %g\n" % (r * cos(2 * pi * i / n), r * sin(2 * pi * i / n), sin(2 * pi * j / m)))
     for i in range(n):
         for j in range(m):
-            out.write("f %d %d %d\nf %d %d %d\n" % (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)))
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            out.write("f %d %d %d\nf %d %d %d\n" % (a, b, c, a, c, d))
 END
 run fit a.obj torus.obj -o x.obj --report r.json
-grep -q '^do not use: ' err && grep -q '"verdict": "do not use"' r.json || { cat err; fail "a figure fitted to a torus is not doubted"; }
+grep -q '^do not use: ' err && grep -q '"verdict": "do not use"' r.json ||
+  { cat err; fail "a figure fitted to a torus is not doubted"; }
 grep -q '^warning: .* % of torus.obj lies bare' err || { cat err; fail "fit does not say that most of the torus lies bare"; }
 tail -1 err | grep -q "by a map that is not to be used" || { cat err; fail "a fit by a useless map ends like a success"; }
 
@@ -81,7 +83,8 @@ run blendshapes a.obj large.obj -o x.glb
 says "warning: large.obj: .*of the base's size away on average.*counterpart align large.obj a.obj --model similarity"
 
 # ---- not welded ----
-refuse 1 "doubled.obj: 2 vertices lie at the place of another: once these are welded, the connectivity is the same; try --weld" reorder a.obj doubled.obj -o none.obj
+refuse 1 "doubled.obj: 2 vertices lie at the place of another: once these are welded, the connectivity is the same; try --weld" \
+  reorder a.obj doubled.obj -o none.obj
 refuse 1 "the target: 2 vertices lie at the place of another.*try --weld" match a.obj doubled.obj --method exact -o none.txt
 run match a.obj doubled.obj --weld -o x.txt
 says "auto: exact"
@@ -141,8 +144,10 @@ says "warning: film also holds 2 frames that this run did not write, from frame_
 # ---- parts: in words, with the way that is for them ----
 awk '$1 == "f" && ++n <= 60 {next} {print}' fine.obj > open.obj
 run inspect fine.obj open.obj
-grep -q "whether one is a mirror image of the other does not show" out || { cat out; fail "inspect is silent about mirror images"; }
-grep -q "open.obj: open (1 boundary loop) where the other mesh is closed.*which the method partial is for" out || { cat out; fail "holes, but no word of the method for them"; }
+grep -q "whether one is a mirror image of the other does not show" out ||
+  { cat out; fail "inspect is silent about mirror images"; }
+grep -q "open.obj: open (1 boundary loop) where the other mesh is closed.*which the method partial is for" out ||
+  { cat out; fail "holes, but no word of the method for them"; }
 grep -q "'match' takes the method [a-z]*, because the " out || { cat out; fail "inspect does not tell the method"; }
 run match open.obj fine.obj --method partial --part source -o x.txt
 says "the source is taken for a part of the target; .* of the source's area"
@@ -169,7 +174,8 @@ run deform fine.obj other.obj --retriangulate 0.7 --bend 20 --shuffle 2 -q
 for pair in "no_arm.obj other.obj" "other.obj no_arm.obj"; do
   run match $pair --method spectral -o x.txt
   grep -qE '^(check|do not use): ' err || { cat err; fail "$pair: a map without an arm is called good"; }
-  says "^probable causes, the likeliest first: no_arm.obj: open (1 boundary loop) where the other mesh is closed.*holes or missing parts"
+  open="open (1 boundary loop) where the other mesh is closed"
+  says "^probable causes, the likeliest first: no_arm.obj: $open.*holes or missing parts"
 done
 
 # ---- what a file holds ----

@@ -25,7 +25,8 @@ refuse 1 "but the ending is that of an archive" match a.obj b.obj -o map.npz
 refuse 1 "must end in .off, .obj" convert a.obj a.fbx
 # ---- scenes, which another program reads ----
 : > scene.fbx
-refuse 1 "scene.fbx: this is a scene; 'counterpart import scene.fbx scene.glb' makes a mesh file of it" match scene.fbx b.obj -o map.txt
+refuse 1 "scene.fbx: this is a scene; 'counterpart import scene.fbx scene.glb' makes a mesh file of it" \
+  match scene.fbx b.obj -o map.txt
 refuse 1 "IN none.abc: there is no such file" convert none.abc c.obj
 command -v counterpart-import > /dev/null || refuse 2 "pip install 'counterpart3d\[scenes\]'" import scene.fbx scene.glb
 refuse 1 "--output b.obj would replace TARGET, which is read" reorder a.obj b.obj -o b.obj

@@ -25,12 +25,13 @@ open("ids.npy", "wb").write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)
                                + struct.pack("<%dd" % n, *(i % 3 for i in range(n))))
 END
 
+written='-o|--inverse|--report|--confidence|--distance|--values-output|--curve|--functional-map|--functions|--mass'
 count=0
 while read -r line; do
   words=${line#counterpart }
   # shellcheck disable=SC2086
   timeout 120 "$program" $words > out 2> err || { cat out err; fail "$line"; }
-  outputs=$(grep -oE -- '(-o|--inverse|--report|--confidence|--distance|--values-output|--curve|--functional-map|--functions|--mass) [^ ]+' <<< "$words" | cut -d' ' -f2 || true)
+  outputs=$(grep -oE -- "($written) [^ ]+" <<< "$words" | cut -d' ' -f2 || true)
   for output in $outputs; do
     [ "$output" = - ] || [ -d "$output" ] || [ -s "$output" ] || fail "$line wrote no $output"
   done

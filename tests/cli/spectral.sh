@@ -200,7 +200,8 @@ for from in a.mrk.json a.fcsv a.json a.csv; do
 done
 for to in b.mrk.json b.fcsv b.json; do
   run landmarks body.off pose.off a.mrk.json --map marked.txt -o $to
-  run landmarks pose.off pose.off $to -o back.csv --map identity.txt && run landmarks pose.off pose.off carried.csv -o expected.csv --map identity.txt
+  run landmarks pose.off pose.off $to -o back.csv --map identity.txt &&
+    run landmarks pose.off pose.off carried.csv -o expected.csv --map identity.txt
   cmp back.csv expected.csv || fail "landmarks in $to"
 done
 run landmarks body.off pose.off a.mrk.json --map marked.txt -o b.tps && [ "$(head -1 b.tps)" = LM3=4 ] || fail "landmarks as .tps"

@@ -166,7 +166,8 @@ glb = Glb("again.glb")  # another material, no skeleton
 for node in glb.json["nodes"]: node.pop("skin", None)
 for key in ("JOINTS_0", "WEIGHTS_0"): del glb.json["meshes"][0]["primitives"][0]["attributes"][key]
 del glb.json["animations"], glb.json["skins"]
-glb.json["materials"] = [{"name": "unused"}, {"name": "cloth", "extensions": {"KHR_materials_clearcoat": {"clearcoatTexture": {"index": 0}}}}]
+coat = {"KHR_materials_clearcoat": {"clearcoatTexture": {"index": 0}}}
+glb.json["materials"] = [{"name": "unused"}, {"name": "cloth", "extensions": coat}]
 glb.json["meshes"][0]["primitives"][0]["material"] = 1
 glb.json["extensionsUsed"] = ["KHR_materials_clearcoat"]
 write(glb, "static.glb")

@@ -330,7 +330,8 @@ export class App {
     else legend.replaceChildren(...colorLegend());
     const complete =
       this.current.matched === this.scene.source.vertexCount && this.current.covered === this.scene.target.vertexCount;
-    legend.hidden = this.mode === "plain" || this.mode === "texture" || ((this.mode === "colors" || this.mode === "checker") && complete);
+    legend.hidden =
+      this.mode === "plain" || this.mode === "texture" || ((this.mode === "colors" || this.mode === "checker") && complete);
   }
 
   // ---- drawing ----

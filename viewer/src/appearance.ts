@@ -1,6 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
-import { BufferAttribute, BufferGeometry, DoubleSide, GLSL3, LinearMipmapLinearFilter, RepeatWrapping, ShaderMaterial, Texture } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  GLSL3,
+  LinearMipmapLinearFilter,
+  RepeatWrapping,
+  ShaderMaterial,
+  Texture,
+} from "three";
 import type { AppearanceData, MeshData } from "./scene_data";
 import { appearanceFragmentShader, appearanceVertexShader } from "./shaders";
 

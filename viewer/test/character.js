@@ -46,7 +46,9 @@ export function writeCharacter(file) {
     const bytes = Buffer.from(new Type(rows.flat()).buffer);
     json.bufferViews.push({ buffer: 0, byteOffset: size, byteLength: bytes.length });
     const column = (k) => rows.map((row) => Math.fround(row[k]));
-    const limits = bounds ? { min: [0, 1, 2].map((k) => Math.min(...column(k))), max: [0, 1, 2].map((k) => Math.max(...column(k))) } : {};
+    const limits = bounds
+      ? { min: [0, 1, 2].map((k) => Math.min(...column(k))), max: [0, 1, 2].map((k) => Math.max(...column(k))) }
+      : {};
     json.accessors.push({ bufferView: json.bufferViews.length - 1, componentType, type, count: rows.length, ...limits });
     chunks.push(bytes);
     size += bytes.length;

@@ -54,7 +54,8 @@ before(async () => {
     if (path === "") return route.fulfill({ contentType: "text/html", body: html });
     if (path === "favicon.ico") return route.fulfill({ status: 204 });
     const file = path.startsWith("three/") ? join(three, path.slice("three/".length)) : join(folder, path);
-    return route.fulfill({ contentType: file.endsWith(".js") ? "text/javascript" : "model/gltf-binary", body: readFileSync(file) });
+    const contentType = file.endsWith(".js") ? "text/javascript" : "model/gltf-binary";
+    return route.fulfill({ contentType, body: readFileSync(file) });
   });
   await page.goto(origin);
   await page.waitForFunction(() => window.ready === true);

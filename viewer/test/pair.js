@@ -7,7 +7,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const program = process.env.COUNTERPART ?? join(fileURLToPath(new URL(".", import.meta.url)), "../../build/release/counterpart");
+export const program =
+  process.env.COUNTERPART ?? join(fileURLToPath(new URL(".", import.meta.url)), "../../build/release/counterpart");
 
 /** A shuffled list 0 .. n - 1, always the same. */
 function permutation(n) {
@@ -59,6 +60,7 @@ export function writePair(rings, segments) {
 export function writePage({ folder }, maps, ...options) {
   const page = join(folder, "view.html");
   const mapOptions = maps.flatMap((map) => ["--map", join(folder, map)]);
-  execFileSync(program, ["view", join(folder, "source.obj"), join(folder, "target.obj"), ...mapOptions, "-q", "-o", page, ...options]);
+  const meshes = [join(folder, "source.obj"), join(folder, "target.obj")];
+  execFileSync(program, ["view", ...meshes, ...mapOptions, "-q", "-o", page, ...options]);
   return page;
 }

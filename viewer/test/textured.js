@@ -27,8 +27,10 @@ function png(width, height, rgb) {
   header.writeUInt32BE(width, 0);
   header.writeUInt32BE(height, 4);
   header.set([8, 2, 0, 0, 0], 8);
-  const rows = Buffer.concat(Array.from({ length: height }, (_, y) => Buffer.from([0, ...Array.from({ length: width }, () => rgb(y)).flat()])));
-  return Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), chunk("IHDR", header), chunk("IDAT", deflateSync(rows)), chunk("IEND", Buffer.alloc(0))]);
+  const row = (y) => Buffer.from([0, ...Array.from({ length: width }, () => rgb(y)).flat()]);
+  const rows = Buffer.concat(Array.from({ length: height }, (_, y) => row(y)));
+  const chunks = [chunk("IHDR", header), chunk("IDAT", deflateSync(rows)), chunk("IEND", Buffer.alloc(0))];
+  return Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...chunks]);
 }
 
 /** source.obj: a sheet of 8 x 9 vertices with an image, red above blue; target.ply: the same sheet, green. */
@@ -45,13 +47,27 @@ export function writeTextured() {
       triangles.push([v, v + 1, v + columns + 1], [v, v + columns + 1, v + columns]);
     }
   const write = (name, content) => writeFileSync(join(folder, name), content);
-  write("source.obj", ["mtllib source.mtl", ...vertices.map(([x, y]) => `v ${x} ${y} ${0.1 * x * x}`), ...vertices.map(([x, y]) => `vt ${x} ${y}`),
-    "usemtl cloth", ...triangles.map((t) => `f ${t.map((v) => `${v + 1}/${v + 1}`).join(" ")}`)].join("\n") + "\n");
+  write("source.obj", [
+    "mtllib source.mtl",
+    ...vertices.map(([x, y]) => `v ${x} ${y} ${0.1 * x * x}`),
+    ...vertices.map(([x, y]) => `vt ${x} ${y}`),
+    "usemtl cloth",
+    ...triangles.map((t) => `f ${t.map((v) => `${v + 1}/${v + 1}`).join(" ")}`),
+  ].join("\n") + "\n");
   write("source.mtl", "newmtl cloth\nmap_Kd cloth.png\n");
   write("cloth.png", png(4, 4, (y) => (y < 2 ? [230, 20, 20] : [20, 20, 230])));
-  write("target.ply", ["ply", "format ascii 1.0", `element vertex ${vertices.length}`, ...["x", "y", "z"].map((k) => `property float ${k}`),
-    ...["red", "green", "blue"].map((k) => `property uchar ${k}`), `element face ${triangles.length}`, "property list uchar int vertex_indices", "end_header",
-    ...vertices.map(([x, y]) => `${x} ${y} ${0.3 * x * y} 20 230 20`), ...triangles.map((t) => `3 ${t.join(" ")}`)].join("\n") + "\n");
+  write("target.ply", [
+    "ply",
+    "format ascii 1.0",
+    `element vertex ${vertices.length}`,
+    ...["x", "y", "z"].map((k) => `property float ${k}`),
+    ...["red", "green", "blue"].map((k) => `property uchar ${k}`),
+    `element face ${triangles.length}`,
+    "property list uchar int vertex_indices",
+    "end_header",
+    ...vertices.map(([x, y]) => `${x} ${y} ${0.3 * x * y} 20 230 20`),
+    ...triangles.map((t) => `3 ${t.join(" ")}`),
+  ].join("\n") + "\n");
   return folder;
 }
 
@@ -63,7 +79,10 @@ export function writeTeeth() {
   const write = (name, bend) => {
     const lines = [];
     for (const [shift, size] of [[0, 1], [2, 0.3], [3, 0.3], [4, 0.3]])
-      for (const [x, y, z] of corners) lines.push(`v ${shift + size * x} ${size * y + bend * (shift + size * x) ** 2} ${size * z}`);
+      for (const [x, y, z] of corners) {
+        const along = shift + size * x;
+        lines.push(`v ${along} ${size * y + bend * along ** 2} ${size * z}`);
+      }
     for (let part = 0; part < 4; part++) for (const face of faces) lines.push(`f ${face.map((v) => 4 * part + v).join(" ")}`);
     writeFileSync(join(folder, name), lines.join("\n") + "\n");
   };

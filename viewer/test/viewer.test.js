@@ -130,7 +130,8 @@ test("the page tells of a map what `evaluate` tells of it", async () => {
   const { page, context } = await open(browser, file);
   await page.selectOption("#map", "1");
   const path = (name) => join(pair.folder, name);
-  const said = execFileSync(program, ["evaluate", path("source.obj"), path("target.obj"), path("worse.txt"), "--truth", path("truth.txt")], { encoding: "utf8" });
+  const asked = [path("source.obj"), path("target.obj"), path("worse.txt"), "--truth", path("truth.txt")];
+  const said = execFileSync(program, ["evaluate", ...asked], { encoding: "utf8" });
   const stats = await page.locator("#stats").innerText();
   const share = (100 * Number(/(\d+) \([0-9.]+ %\) exactly right/.exec(said)[1])) / pair.count;
   assert.ok(stats.includes(`${share.toFixed(2)} % exact`), `${stats} against ${said}`);
@@ -322,7 +323,8 @@ test("every control is reached by Tab and has a name", async () => {
 });
 
 test("on a phone, dark: everything is on the screen, a tap selects", async () => {
-  const phone = { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true, colorScheme: "dark" };
+  const viewport = { width: 390, height: 844 };
+  const phone = { viewport, deviceScaleFactor: 2, hasTouch: true, isMobile: true, colorScheme: "dark" };
   const { page, context, complaints } = await open(browser, file, phone);
   const size = await page.evaluate(() => ({
     overflow: document.documentElement.scrollWidth - window.innerWidth,
@@ -359,7 +361,10 @@ test("texture: each mesh with its own image, the right way up, and its own color
       const scale = canvas.width / box.width;
       return [...copy.getImageData((at.x - box.left) * scale, (at.y - box.top) * scale, 1, 1).data];
     }, [side, vertex]);
-  const isMostly = ([r, g, b], channel) => Math.max(r, g, b) === [r, g, b][channel] && [r, g, b][channel] > 1.5 * Math.min(r, g, b);
+  const isMostly = ([r, g, b], channel) => {
+    const largest = Math.max(r, g, b);
+    return [r, g, b][channel] === largest && largest > 1.5 * Math.min(r, g, b);
+  };
   await page.locator("#modes input[value=texture]").check();
   await page.waitForTimeout(200);
   await stagePicture(page, "texture");
@@ -400,8 +405,9 @@ test("without the truth the error mode is off", async () => {
 test("a map that does not fit is an error, and nothing is written", () => {
   const other = writePair(12, 9);
   const output = join(other.folder, "none.html");
+  const meshes = ["source.obj", "target.obj"].map((name) => join(other.folder, name));
   const run = (map, ...options) =>
-    spawnSync(program, ["view", join(other.folder, "source.obj"), join(other.folder, "target.obj"), "--map", map, "-o", output, ...options], { encoding: "utf8" });
+    spawnSync(program, ["view", ...meshes, "--map", map, "-o", output, ...options], { encoding: "utf8" });
   const wrong = run(join(pair.folder, "truth.txt"));
   assert.equal(wrong.status, 1);
   assert.match(wrong.stderr, /^error: .*truth\.txt.*2240 entries.*108 vertices/);
@@ -430,7 +436,8 @@ test("a large pair: size and times", async () => {
     return times.sort((a, b) => a - b)[4];
   });
   const megabytes = statSync(page).size / 1e6;
-  console.log(JSON.stringify({ benchmark: "viewer", vertices: big.count, megabytes, open_ms: Math.round(opened.milliseconds), frame_and_pick_ms: frame }));
+  const figures = { vertices: big.count, megabytes, open_ms: Math.round(opened.milliseconds), frame_and_pick_ms: frame };
+  console.log(JSON.stringify({ benchmark: "viewer", ...figures }));
   assert.ok(megabytes < 20);
   assert.deepEqual(opened.complaints, []);
   await opened.context.close();

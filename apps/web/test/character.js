@@ -13,7 +13,8 @@ function read(file) {
   const [, vertices, triangles] = /element vertex (\d+)[^]*element face (\d+)/.exec(bytes.toString("latin1")).map(Number);
   const body = bytes.subarray(bytes.indexOf("end_header\n") + "end_header\n".length);
   const positions = Array.from({ length: vertices }, (_, v) => [0, 4, 8].map((at) => body.readFloatLE(15 * v + at)));
-  const corners = Array.from({ length: triangles }, (_, t) => [1, 5, 9].map((at) => body.readInt32LE(15 * vertices + 13 * t + at)));
+  const corners = Array.from({ length: triangles }, (_, t) =>
+    [1, 5, 9].map((at) => body.readInt32LE(15 * vertices + 13 * t + at)));
   return { positions, corners };
 }
 
@@ -23,7 +24,11 @@ export function writeCharacter(name, file) {
   const gltf = {
     asset: { version: "2.0" },
     scenes: [{ nodes: [0, 1] }],
-    nodes: [{ mesh: 0, skin: 0 }, { name: "left", translation: [-1, 0, 0], children: [2] }, { name: "right", translation: [2, 0, 0] }],
+    nodes: [
+      { mesh: 0, skin: 0 },
+      { name: "left", translation: [-1, 0, 0], children: [2] },
+      { name: "right", translation: [2, 0, 0] },
+    ],
     skins: [{ joints: [1, 2] }],
     images: [{ uri: onePixel }],
     textures: [{ source: 0 }],
@@ -52,9 +57,11 @@ export function writeCharacter(name, file) {
     JOINTS_0: add(positions.map(() => [0, 1, 0, 0]), Uint8Array, "VEC4", 5121),
     WEIGHTS_0: floats("VEC4", (p) => [1 - right(p), right(p), 0, 0]),
   };
-  const targets = [floats("VEC3", ([, , z]) => [0, 0, z / 2]), floats("VEC3", ([x]) => [0, x * x, 0])].map((POSITION) => ({ POSITION }));
+  const shapes = [floats("VEC3", ([, , z]) => [0, 0, z / 2]), floats("VEC3", ([x]) => [0, x * x, 0])];
+  const targets = shapes.map((POSITION) => ({ POSITION }));
   const indices = add(corners.flat(), Uint32Array, "SCALAR", 5125);
   gltf.meshes = [{ primitives: [{ attributes, targets, indices, material: 0 }], extras: { targetNames: ["thick", "bent"] } }];
-  gltf.buffers = [{ byteLength: length, uri: `data:application/octet-stream;base64,${Buffer.concat(buffers).toString("base64")}` }];
+  const base64 = Buffer.concat(buffers).toString("base64");
+  gltf.buffers = [{ byteLength: length, uri: `data:application/octet-stream;base64,${base64}` }];
   return write(name, JSON.stringify(gltf));
 }

@@ -51,7 +51,7 @@ for (const serviceWorkers of ["block", "allow"]) {
   });
 }
 
-test("a near-isometric pair of 5000 vertices costs at most three times what the program does, and threads share it", async (context) => {
+test("a near-isometric pair of 5000 vertices costs at most three times as much as in the program", async (context) => {
   const [a, b] = ["a.ply", "b.ply"];
   run("deform", "body", a, "--retriangulate", "0.275");
   run("deform", "body", b, "--bend", "60", "--retriangulate", "0.275", "--seed", "2", "--shuffle", "3");

@@ -53,7 +53,8 @@
     normal.fill(0);
     for (let t = 0; t < triangles.length; t += 3) {
       const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-      const u = [0, 1, 2].map((d) => position[b + d] - position[a + d]), v = [0, 1, 2].map((d) => position[c + d] - position[a + d]);
+      const u = [0, 1, 2].map((d) => position[b + d] - position[a + d]);
+      const v = [0, 1, 2].map((d) => position[c + d] - position[a + d]);
       const n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
       for (const corner of [a, b, c]) for (let d = 0; d < 3; d++) normal[corner + d] += n[d];
     }

@@ -4,6 +4,9 @@
 
 #include "base/random.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace counterpart::align {
@@ -12,6 +15,30 @@ namespace {
 Matrix random_points(Eigen::Index n, Eigen::Index dimension, std::uint64_t seed) {
     Random random(seed);
     return Matrix::NullaryExpr(n, dimension, [&] { return random.uniform(-1, 1); });
+}
+
+// The same in double precision with the full (N + 1) x (M + 1) matrix, normalized in place. N x M.
+Matrix softassign_reference(const Matrix& target, const Matrix& transformed, double temperature,
+                            const SoftassignOptions& options) {
+    const Eigen::Index n = transformed.rows(), m = target.rows();
+    const Eigen::RowVectorXd target_center = target.colwise().mean(),
+                             source_center = transformed.colwise().mean();
+    const auto weight = [](const Eigen::RowVectorXd& difference, double t) {
+        return std::exp(-difference.squaredNorm() / (2 * t)) / t;
+    };
+    Matrix full = Matrix::Zero(n + 1, m + 1);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index j = 0; j < m; ++j)
+            full(i, j) = weight(transformed.row(i) - target.row(j), temperature);
+        full(i, m) = weight(transformed.row(i) - target_center, options.outlier_temperature);
+    }
+    for (Eigen::Index j = 0; j < m; ++j)
+        full(n, j) = weight(target.row(j) - source_center, options.outlier_temperature);
+    for (int round = 0; round < options.max_sinkhorn; ++round) {
+        for (Eigen::Index i = 0; i < n; ++i) full.row(i) /= std::max(full.row(i).sum(), 1e-300);
+        for (Eigen::Index j = 0; j < m; ++j) full.col(j) /= std::max(full.col(j).sum(), 1e-300);
+    }
+    return full.topLeftCorner(n, m);
 }
 
 TEST(Softassign, AgreesWithTheReference) {

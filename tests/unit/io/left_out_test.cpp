@@ -150,10 +150,12 @@ TEST_F(LeftOut, WhatRealFilesHave) {
 TEST_F(LeftOut, CompressedGltfIsNamed) {
     const auto gltf = [](const std::string& list, const std::string& view) {
         return R"({"asset":{"version":"2.0"},")" + list +
-               R"(":["KHR_draco_mesh_compression"],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"extensions":{"KHR_draco_mesh_compression":)"
+               R"(":["KHR_draco_mesh_compression"],"meshes":[{"primitives":[{"attributes":{"POSITION":0},)"
+               R"("extensions":{"KHR_draco_mesh_compression":)"
                R"({"bufferView":0,"attributes":{"POSITION":0}}}}]}],"accessors":[{"componentType":5126,"count":3,"type":"VEC3")" +
                view +
-               R"(}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
+               R"(}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+               R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"
                R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
     };
     const char* words =
