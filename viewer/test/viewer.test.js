@@ -202,6 +202,36 @@ test("maps side by side: one pane each, which are picked and marked on their own
   await context.close();
 });
 
+for (const [name, viewport, least] of [["a desktop", { width: 1400, height: 900 }, 0.55], ["a phone", { width: 390, height: 844 }, 0.35]])
+  test(`on ${name} upright figures side by side use the height that there is, and stay in their panes`, async () => {
+    const path = (file) => join(pair.folder, file);
+    const tall = readFileSync(path("source.obj"), "utf8").replaceAll(/^v (\S+)/gm, (_, x) => `v ${0.3 * x}`);
+    writeFileSync(path("tall.obj"), tall);
+    writeFileSync(path("itself.txt"), Array.from({ length: pair.count }, (_, v) => `${v}\n`).join(""));
+    const maps = Array(4).fill(["--map", path("itself.txt")]).flat();
+    const html = path("tall.html");
+    execFileSync(program, ["view", path("tall.obj"), path("tall.obj"), ...maps, "--up", "y", "-q", "-o", html]);
+    const { page, context } = await open(browser, html, { viewport });
+    await page.locator("#comparing").check();
+    await page.locator("#meshes").focus();
+    for (let turn = 0; turn < 8; turn++) {
+      const { xs, ys, left, right, height } = await page.evaluate((count) => {
+        const points = [];
+        for (let v = 0; v < count; v++) points.push(window.counterpart.screenPosition("target", v, 0));
+        const box = document.querySelector("#map-names div").getBoundingClientRect();
+        const next = document.querySelectorAll("#map-names div")[1].getBoundingClientRect();
+        const height = document.getElementById("stage").clientHeight;
+        return { xs: points.map((p) => p.x), ys: points.map((p) => p.y), left: box.left - 10, right: next.left - 10, height };
+      }, pair.count);
+      const share = (Math.max(...ys) - Math.min(...ys)) / height;
+      assert.ok(share > least, `${share} of the height`);
+      assert.ok(Math.min(...xs) >= left && Math.max(...xs) <= right, `turned ${turn} times it leaves its pane`);
+      for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
+    }
+    await stagePicture(page, `tall_${viewport.width}`);
+    await context.close();
+  });
+
 test("confidence and warnings are those of the map that is shown", async () => {
   const path = (name) => join(pair.folder, name);
   const [source, other, html] = ["source.obj", "stretched.obj", "matched.html"].map(path);
