@@ -409,6 +409,27 @@ test("texture: each mesh with its own image, the right way up, and its own color
   await closed.close();
 });
 
+/** A .npy file of one number per vertex. */
+function writeNumbers(file, numbers) {
+  const header = `{'descr': '<f8', 'fortran_order': False, 'shape': (${numbers.length},), }`;
+  const text = Buffer.from(header.padEnd(117) + "\n", "latin1");
+  const start = Buffer.from([0x93, ...Buffer.from("NUMPY"), 1, 0, text.length, 0]);
+  writeFileSync(file, Buffer.concat([start, text, Buffer.from(Float64Array.from(numbers).buffer)]));
+}
+
+test("the scale of shares ends at 0 and 1, that of other numbers at the least and the largest", async () => {
+  const sure = join(pair.folder, "sure.npy");
+  const lengths = join(pair.folder, "lengths.npy");
+  writeNumbers(sure, pair.truth.map((_, v) => 0.8 + (0.15 * v) / pair.count));
+  writeNumbers(lengths, pair.truth.map((_, v) => 2 + (3 * v) / (pair.count - 1)));
+  const { page, context } = await open(browser, writePage(pair, ["truth.txt"], "--values", sure, "--values", lengths));
+  await page.locator("#modes input[value=values]").check();
+  assert.match(await page.locator("#legend").innerText(), /sure\s+0\s+1\b/);
+  await page.locator("#values").selectOption("1");
+  assert.match(await page.locator("#legend").innerText(), /lengths\s+2\s+5\b/);
+  await context.close();
+});
+
 test("parts alike are shown by kind", async () => {
   const folder = writeTeeth();
   const file = join(folder, "view.html");
