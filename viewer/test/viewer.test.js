@@ -291,6 +291,20 @@ for (const [name, viewport] of [["a desktop", { width: 1400, height: 900 }], ["a
     await context.close();
   });
 
+for (const [name, viewport] of [["a desktop", { width: 1280, height: 760 }], ["a phone", { width: 390, height: 844 }]])
+  test(`on ${name} the meshes stay where they are when one is pointed at`, async () => {
+    const maps = [1, 2, 3, 4].map((i) => `another part, quite far away: 28 % of the surface goes elsewhere ${i}.txt`);
+    for (const map of maps) writeFileSync(join(pair.folder, map), readFileSync(join(pair.folder, "worse.txt")));
+    const { page, context } = await open(browser, writePage(pair, maps), { viewport });
+    const height = () => page.evaluate(() => document.getElementById("stage").clientHeight);
+    const before = await height();
+    const { vertex } = await hoverVisible(page, "source");
+    assert.match(await answer(page), new RegExp(`goes elsewhere 4: (${pair.worse[vertex]}|none)`));
+    assert.equal(await height(), before);
+    await stagePicture(page, `pointed_${viewport.width}`);
+    await context.close();
+  });
+
 test("lines and the morph change the picture; the source's vertices move to their counterparts", async () => {
   const { page, context } = await open(browser, file);
   const plain = await stagePicture(page, "without_lines");
