@@ -28,8 +28,17 @@ Points as_rows(const std::vector<Landmark>& landmarks) {
     return rows;
 }
 
+// In the axes of the meshes. Points of a file that says none were set in those of their mesh.
+LandmarkPoints points_on_source(const LandmarksCommand& command) {
+    LandmarkPoints points = read_landmark_points(command.points);
+    if (!command.axes) return points;
+    if (points.axes) return read_landmark_points(command.points, command.axes);
+    points.axes = command.axes;
+    return points;
+}
+
 void run(const LandmarksCommand& command) {
-    LandmarkPoints points = read_landmark_points(command.points, command.axes);
+    LandmarkPoints points = points_on_source(command);
     require_writable(points, command.output);
     const TriangleMesh source = load_mesh(command.source, command.common);
     const TriangleMesh target = load_mesh(command.target, command.common);

@@ -117,6 +117,12 @@ std::string roff(const std::string& text) {
     return result.starts_with('.') ? "\\&" + result : result;
 }
 
+// What follows an option's name, as --help shows it.
+std::string value_of(const CLI::Option& option) {
+    const std::string& text = option.get_option_text();
+    return text.empty() ? option.get_type_name() : text;
+}
+
 std::string man_page(const CLI::App& program) {
     std::string text = fmt::format(
         ".TH COUNTERPART 1 \"\" \"counterpart {}\"\n.SH NAME\ncounterpart \\- dense correspondence of "
@@ -126,9 +132,9 @@ std::string man_page(const CLI::App& program) {
     for (const auto& [name, command] : commands_of(program)) {
         text += fmt::format(".SS {}\n{}.\n", roff(name), roff(command->get_description()));
         for (const CLI::Option* option : command->get_options()) {
-            const std::string type = option->get_type_name();
+            const std::string value = value_of(*option);
             text += fmt::format(".TP\n.B {}{}\n{}\n", roff(option->get_name(false, true)),
-                                type.empty() ? "" : " \\fI" + roff(type) + "\\fR",
+                                value.empty() ? "" : " \\fI" + roff(value) + "\\fR",
                                 roff(option->get_description()));
         }
     }

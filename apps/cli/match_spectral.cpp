@@ -156,11 +156,11 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
                   "The same as --mirror always: swap left and right")
         ->group(group);
     match.add_option("--basis-size", arguments->shape.basis_size, "Number of Laplace eigenfunctions")
-        ->check(CLI::Range(30, 500))
+        ->check(whole_number(30, 500))
         ->capture_default_str()
         ->group(group);
     match.add_option("--samples", arguments->shape.n_samples, "Number of sample points for the search")
-        ->check(CLI::Range(200, 5000))
+        ->check(whole_number(200, 5000))
         ->capture_default_str()
         ->group(group);
     match
@@ -174,7 +174,7 @@ MethodCommand add_spectral_method(CLI::App& match, const std::shared_ptr<Spectra
         ->group(group);
     match
         .add_option("--alternatives", arguments->options.n_alternatives, "Number of runner-up maps to report")
-        ->check(CLI::Range(0, 10))
+        ->check(whole_number(0, 10))
         ->capture_default_str()
         ->group(group);
     add_path(match, "--alternatives-output", arguments->alternatives,

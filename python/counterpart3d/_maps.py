@@ -226,10 +226,10 @@ def compose_maps(b_from_a: MapLike, c_from_b: MapLike, b: MeshLike | None = None
     triangle = integers(then.triangle, "triangle", (-1,))
     row = _core.compose_maps(first, np.arange(len(triangle), dtype=np.int32))  # checks that the maps fit
     weights = floats(then.weights, "weights", (len(triangle), 3))
-    matched = (row >= 0) & (triangle[row] >= 0)
-    return SurfaceMap(
-        np.where(matched, triangle[row], -1).astype(np.int32), np.where(matched[:, None], weights[row], 0.0)
-    )
+    composed, points = np.full(len(row), -1, np.int32), np.zeros((len(row), 3))
+    composed[row >= 0] = triangle[row[row >= 0]]
+    points[composed >= 0] = weights[row[composed >= 0]]
+    return SurfaceMap(composed, points)
 
 
 def transfer_values(

@@ -17,6 +17,7 @@ import sys
 import tempfile
 import threading
 import time
+import warnings
 
 import counterpart3d as cp
 import numpy as np
@@ -192,6 +193,12 @@ class Calls:
         weld, shared = self.pick(None, 0, 0.1, odd=[-1, np.nan]), self.number(0.9, 0.5, 1)
         return cp.match(a, b, method, weld_distance=weld, min_shared=shared, n_threads=self.number(1, 2))
 
+    def call_match_by_shape(self):
+        method, part = self.pick("spectral", "partial", "place"), self.pick("unknown", "source", odd=["none"])
+        options = self.shape_options() | {"part": part, "mirror": self.pick("auto", "never", odd=["none"])}
+        found = cp.match(self.mesh(), self.mesh(), method, n_samples=self.number(200), **options)
+        return pickle.loads(pickle.dumps(found)), np.asarray(found), found._repr_html_()
+
     def call_match_uv(self):
         a, b = (self.laid_out() for _ in "ab")
         return cp.match(a, b, "uv", n_threads=self.number(1, 2))
@@ -263,6 +270,58 @@ class Calls:
         a = self.mesh()
         return cp.transfer_values(a, self.mesh(), self.map(a), self.values(a, self.pick(0, 1, 3)))
 
+    def call_nearest_corners(self):
+        target = self.mesh()
+        found = self.map(None)
+        if not isinstance(found, cp.SurfaceMap):
+            found = cp.SurfaceMap(found, self.handed(np.full((n_vertices(None), 3), 1 / 3), FLOATS))
+        return cp.nearest_corners(target, found)
+
+    def call_compare(self):
+        return cp.compare(self.mesh(), self.mesh())
+
+    def call_choose_method(self):
+        method = self.pick("auto", "exact", "spectral", "partial", "place", "nearest", odd=["none"])
+        options = {"landmarks": self.pairs(), "excluded": self.pairs(), "seed": self.number(0, 1)}
+        return cp.choose_method(self.mesh(), self.mesh(), method, **options)
+
+    def landmarks(self, mesh):
+        """Some of the vertices by name, or points far from them."""
+        points = self.values(mesh, 3) if self.rarely(0.3) or not isinstance(mesh, tuple) else mesh[0]
+        if not isinstance(points, np.ndarray) or points.ndim != 2 or points.dtype.kind != "f":
+            return {"a": points}
+        return {name: self.handed(row, FLOATS) for name, row in zip("abcdé", points, strict=False)}
+
+    def call_landmark_pairs(self):
+        a, b = self.mesh(), self.mesh()
+        return cp.landmark_pairs(a, b, self.landmarks(a), self.landmarks(b))
+
+    def call_carry_landmarks(self):
+        a = self.mesh()
+        return cp.carry_landmarks(self.landmarks(a), a, self.mesh(), self.map(a))
+
+    def call_landmark_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ending = self.pick(".mrk.json", ".fcsv", ".json", ".csv", odd=[".tps", ".none"])
+            file = os.path.join(folder, "points" + ending)
+            axes = self.pick("LPS", "RAS", odd=[None, "XYZ"])
+            cp.write_landmarks(self.landmarks(self.mesh()), file, axes=axes)
+            return cp.read_landmarks(file)
+
+    def call_polygons(self):
+        sizes = self.random.integers(2 if self.rarely() else 3, 6, self.pick(0, 1, 4))
+        n_corners = max(sizes.sum() + self.pick(0, odd=[1, -1]), 0)
+        corners = self.random.integers(-1 if self.rarely() else 0, 9, n_corners)
+        points = self.handed(self.random.normal(size=(9, 3)), FLOATS)
+        mesh = cp.Mesh.from_polygons(points, self.handed(sizes, INTEGERS), self.handed(corners, INTEGERS))
+        return cp.shuffle(mesh), cp.inspect(pickle.loads(pickle.dumps(mesh)))
+
+    def call_objects(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mesh" + self.pick(".obj", ".glb", ".stl", ".off", odd=[".none"]))
+            cp.write(self.mesh(), file)
+            return [cp.read(file, object=thing.number) for thing in cp.objects(file)]
+
     def call_map_file(self):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, self.pick("map.txt", "map.npy", odd=["none/map.txt"]))
@@ -321,7 +380,7 @@ class Calls:
     def call_fit(self):
         a = self.mesh()
         options = {"stiffness": self.number(1, 5), "reach": self.number(0.1), "landmarks": self.pairs()}
-        return cp.fit(a, self.mesh(), self.map(a), **options)
+        return cp.fit(a, self.mesh(), self.pick(self.map(a), None), **options)
 
     def call_spectrum(self):
         return cp.spectrum(self.mesh(), self.number(1, 5, 50))
@@ -385,7 +444,7 @@ class Calls:
 
 FUNCTIONS = [name for name in vars(Calls) if name.startswith("call_")]
 # Under a sanitizer these take many seconds.
-SELDOM = {"call_match_spectral", "call_match_partial", "call_match_prepared"}
+SELDOM = {"call_match_spectral", "call_match_partial", "call_match_prepared", "call_match_by_shape"}
 
 
 def disturb(given, stop):
@@ -433,6 +492,7 @@ def main():
     count, first = int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 0
     log = open(os.environ.get("RANDOM_CALLS_LOG", os.devnull), "w")  # noqa: SIM115
     counts, ends, failures = {}, {}, []
+    warnings.simplefilter("ignore", UserWarning)  # most of the maps are not to be used
     for number in range(first, first + count):
         log.seek(0)
         log.write(f"{number}\n")

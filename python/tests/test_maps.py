@@ -168,6 +168,8 @@ def test_compose_with_a_map_to_points(pair):
     some[3] = -1
     composed = cp.compose_maps(some, back)
     assert composed.triangle[3] == -1 and not composed.weights[3].any()
+    nothing = cp.SurfaceMap(np.zeros(0, np.int32), np.zeros((0, 3)))
+    assert cp.compose_maps([-1, -1], nothing).triangle.tolist() == [-1, -1]
 
 
 def test_truth_in_every_form(pair):

@@ -127,12 +127,13 @@ struct GmshReader {
         bool has_format = false;
         for (; text.next_content(); text.next_line()) {
             const std::string section(text.word());
-            if (section.empty() || section[0] != '$') text.fail("a section '$...' is expected here");
             if (section == "$MeshFormat") {
                 read_format();
                 has_format = true;
             } else if (!has_format) {
                 text.fail("not a .msh file of Gmsh: it does not begin with $MeshFormat");
+            } else if (section.empty() || section[0] != '$') {
+                text.fail("a section '$...' is expected here");
             } else if (section == "$Nodes") {
                 next_line("nodes");
                 is_4 ? read_nodes_4() : read_nodes_2();

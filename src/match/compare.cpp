@@ -32,8 +32,8 @@ void compare_connectivity(MeshView source, MeshView target, MeshComparison& resu
         }
         add(MessageCode::connectivity_differs, "connectivity differs: " + exact.difference);
         add(MessageCode::handedness_unknown,
-            "whether one is a mirror image of the other does not show where connectivity differs; the option "
-            "symmetric matches them as mirror images");
+            "whether one is a mirror image of the other does not show where connectivity differs: matching "
+            "by shape looks at both readings");
     } catch (const NumericalError& error) {
         add(MessageCode::connectivity_undecided,
             fmt::format("the connectivity does not decide ({})", error.what()));

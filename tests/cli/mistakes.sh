@@ -184,3 +184,10 @@ run render a.obj b.obj --map points.txt --truth truth.txt --show error -o e.png 
 # ---- whoever reads the output may stop: no message, as of other programs ----
 { "$program" manual man 2> err || true; } | true
 [ ! -s err ] || { cat err; fail "a reader that stops is complained of"; }
+
+# ---- the man page and --help say in words what an option takes ----
+run manual man
+grep -q 'mirror .*auto|never|always' out || fail "the man page does not say what --mirror takes"
+cp out page
+run match --help
+! grep -E 'value in|->[0-9]|INT in' out page || fail "an option is described as programmers see it"

@@ -206,6 +206,10 @@ for to in b.mrk.json b.fcsv b.json; do
 done
 run landmarks body.off pose.off a.mrk.json --map marked.txt -o b.tps && [ "$(head -1 b.tps)" = LM3=4 ] || fail "landmarks as .tps"
 refuse 1 "LPS or RAS" landmarks body.off pose.off a.csv --map marked.txt -o none.mrk.json
+run landmarks body.off pose.off a.csv --map marked.txt --landmark-axes RAS -o said.mrk.json
+grep -q '"coordinateSystem": "RAS"' said.mrk.json || fail "what the meshes are in is not said"
+run landmarks pose.off pose.off said.mrk.json --landmark-axes RAS -o back.csv --map identity.txt
+cmp back.csv expected.csv || fail "points of a file that says no axes are turned"
 refuse 1 "name of landmarks must end in" landmarks body.off pose.off a.csv --map marked.txt -o none.txt
 
 # One pair leads a fit, whether a map is given or found with it.

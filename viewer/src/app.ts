@@ -317,7 +317,9 @@ export class App {
     element("stats").replaceChildren(...summarize(this.current));
     this.panel.showWarnings(this.current.map.warnings);
     const words = describe(selection, this.current, this.correspondences, this.scene);
-    element("answer").replaceChildren(...words.flatMap((word) => [word, " "]));
+    const answer = element("answer");
+    answer.replaceChildren(...words.flatMap((word) => [word, " "]));
+    answer.title = answer.textContent ?? ""; // whole, where it is too long for its place
     this.panel.showVertex(this.highlighted().source[0] ?? null);
   }
 

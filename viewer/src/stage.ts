@@ -45,11 +45,14 @@ export class Stage {
   private width = 1;
   private height = 1;
   private captionHeight = 0;
+  /** Half the width that a pane has to show; half the height is 1. */
+  private readonly reach: number;
 
   constructor(
     readonly canvas: HTMLCanvasElement,
     public panes: Pane[],
   ) {
+    this.reach = Math.max(0.1, ...panes.map(({ surface }) => surface.reach()));
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setScissorTest(true);
   }
@@ -74,8 +77,8 @@ export class Stage {
     let [best, columns] = [0, 1];
     for (let count = this.panes.length; count > 0; --count) {
       const height = this.height / Math.ceil(this.panes.length / count) - this.captionHeight;
-      const shorter = Math.min(this.width / count, height);
-      if (shorter >= best) [best, columns] = [shorter, count]; // of equals the fewest columns
+      const size = Math.min(this.width / count / this.reach, height);
+      if (size >= best) [best, columns] = [size, count]; // of equals the fewest columns
     }
     return { columns, rows: Math.ceil(this.panes.length / columns) };
   }
@@ -185,7 +188,7 @@ export class Stage {
 
   private halfHeight(pane: number): number {
     const { width, height } = this.rectangle(pane);
-    return (1.04 * Math.max(1, height / width)) / this.viewOf(pane).zoom;
+    return (1.04 * Math.max(1, (this.reach * height) / width)) / this.viewOf(pane).zoom;
   }
 
   private aim(pane: number): void {

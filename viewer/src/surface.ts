@@ -67,6 +67,16 @@ export class Surface {
     return [this.geometry.boundingBox!.max, this.geometry.boundingBox!.min];
   }
 
+  /** The farthest that a vertex lies from the upright axis, about which the mesh is turned: half its width at most. */
+  reach(): number {
+    let farthest = 0;
+    for (let v = 0; v < this.data.vertexCount; v++) {
+      const { x, z } = scratch.fromArray(this.data.positions, 3 * v).applyQuaternion(this.upright);
+      farthest = Math.max(farthest, Math.hypot(x, z));
+    }
+    return farthest;
+  }
+
   /** Colors the mesh. `cells`: number of checker cells along each axis. */
   show(mode: Mode, field: Field | null, top: number, bandWidth: number, cells: Vector3): void {
     if (field) this.geometry.setAttribute("field", new BufferAttribute(field, 4));

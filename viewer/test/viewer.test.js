@@ -203,6 +203,36 @@ test("maps side by side: one pane each, which are picked and marked on their own
   await context.close();
 });
 
+for (const [name, viewport, least] of [["a desktop", { width: 1400, height: 900 }, 0.55], ["a phone", { width: 390, height: 844 }, 0.35]])
+  test(`on ${name} upright figures side by side use the height that there is, and stay in their panes`, async () => {
+    const path = (file) => join(pair.folder, file);
+    const tall = readFileSync(path("source.obj"), "utf8").replaceAll(/^v (\S+)/gm, (_, x) => `v ${0.3 * x}`);
+    writeFileSync(path("tall.obj"), tall);
+    writeFileSync(path("itself.txt"), Array.from({ length: pair.count }, (_, v) => `${v}\n`).join(""));
+    const maps = Array(4).fill(["--map", path("itself.txt")]).flat();
+    const html = path("tall.html");
+    execFileSync(program, ["view", path("tall.obj"), path("tall.obj"), ...maps, "--up", "y", "-q", "-o", html]);
+    const { page, context } = await open(browser, html, { viewport });
+    await page.locator("#comparing").check();
+    await page.locator("#meshes").focus();
+    for (let turn = 0; turn < 8; turn++) {
+      const { xs, ys, left, right, height } = await page.evaluate((count) => {
+        const points = [];
+        for (let v = 0; v < count; v++) points.push(window.counterpart.screenPosition("target", v, 0));
+        const box = document.querySelector("#map-names div").getBoundingClientRect();
+        const next = document.querySelectorAll("#map-names div")[1].getBoundingClientRect();
+        const height = document.getElementById("stage").clientHeight;
+        return { xs: points.map((p) => p.x), ys: points.map((p) => p.y), left: box.left - 10, right: next.left - 10, height };
+      }, pair.count);
+      const share = (Math.max(...ys) - Math.min(...ys)) / height;
+      assert.ok(share > least, `${share} of the height`);
+      assert.ok(Math.min(...xs) >= left && Math.max(...xs) <= right, `turned ${turn} times it leaves its pane`);
+      for (let i = 0; i < 4; i++) await page.keyboard.press("ArrowRight");
+    }
+    await stagePicture(page, `tall_${viewport.width}`);
+    await context.close();
+  });
+
 test("confidence and warnings are those of the map that is shown", async () => {
   const path = (name) => join(pair.folder, name);
   const [source, other, html] = ["source.obj", "stretched.obj", "matched.html"].map(path);
@@ -259,6 +289,20 @@ for (const [name, viewport] of [["a desktop", { width: 1400, height: 900 }], ["a
       }
       await stagePicture(page, `captions_${viewport.width}_${comparing}`);
     }
+    await context.close();
+  });
+
+for (const [name, viewport] of [["a desktop", { width: 1280, height: 760 }], ["a phone", { width: 390, height: 844 }]])
+  test(`on ${name} the meshes stay where they are when one is pointed at`, async () => {
+    const maps = [1, 2, 3, 4].map((i) => `another part, quite far away: 28 % of the surface goes elsewhere ${i}.txt`);
+    for (const map of maps) writeFileSync(join(pair.folder, map), readFileSync(join(pair.folder, "worse.txt")));
+    const { page, context } = await open(browser, writePage(pair, maps), { viewport });
+    const height = () => page.evaluate(() => document.getElementById("stage").clientHeight);
+    const before = await height();
+    const { vertex } = await hoverVisible(page, "source");
+    assert.match(await answer(page), new RegExp(`goes elsewhere 4: (${pair.worse[vertex]}|none)`));
+    assert.equal(await height(), before);
+    await stagePicture(page, `pointed_${viewport.width}`);
     await context.close();
   });
 
@@ -382,6 +426,27 @@ test("texture: each mesh with its own image, the right way up, and its own color
   const { page: other, context: closed } = await open(browser, writePage(writePair(12, 9), ["truth.txt"]));
   assert.equal(await other.locator("#modes input[value=texture]").count(), 0, "no texture, no such mode");
   await closed.close();
+});
+
+/** A .npy file of one number per vertex. */
+function writeNumbers(file, numbers) {
+  const header = `{'descr': '<f8', 'fortran_order': False, 'shape': (${numbers.length},), }`;
+  const text = Buffer.from(header.padEnd(117) + "\n", "latin1");
+  const start = Buffer.from([0x93, ...Buffer.from("NUMPY"), 1, 0, text.length, 0]);
+  writeFileSync(file, Buffer.concat([start, text, Buffer.from(Float64Array.from(numbers).buffer)]));
+}
+
+test("the scale of shares ends at 0 and 1, that of other numbers at the least and the largest", async () => {
+  const sure = join(pair.folder, "sure.npy");
+  const lengths = join(pair.folder, "lengths.npy");
+  writeNumbers(sure, pair.truth.map((_, v) => 0.8 + (0.15 * v) / pair.count));
+  writeNumbers(lengths, pair.truth.map((_, v) => 2 + (3 * v) / (pair.count - 1)));
+  const { page, context } = await open(browser, writePage(pair, ["truth.txt"], "--values", sure, "--values", lengths));
+  await page.locator("#modes input[value=values]").check();
+  assert.match(await page.locator("#legend").innerText(), /sure\s+0\s+1\b/);
+  await page.locator("#values").selectOption("1");
+  assert.match(await page.locator("#legend").innerText(), /lengths\s+2\s+5\b/);
+  await context.close();
 });
 
 test("parts alike are shown by kind", async () => {

@@ -93,6 +93,8 @@ TEST_F(CellFiles, WhatIsWrongIsNamedWithItsLine) {
     EXPECT_TRUE(contains(error_of("d.msh", gmsh_2 + "7 4 2 0 1 10 20 30\n" + rest), "d.msh:19:"));
     EXPECT_TRUE(contains(error_of("e.msh", gmsh_2), "e.msh:"));
     EXPECT_TRUE(contains(error_of("f.msh", "$MeshFormat\n2.2 1 8\n"), "f.msh:2: binary"));
+    EXPECT_TRUE(
+        contains(error_of("h.msh", "(1 \"of another program\")\n"), "h.msh:1: not a .msh file of Gmsh"));
     EXPECT_TRUE(contains(error_of("g.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2000000000\n"),
                          "more than the file has room for"));
     EXPECT_TRUE(
