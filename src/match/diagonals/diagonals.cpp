@@ -7,7 +7,9 @@
 #include "match/isomorphism/traversal.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -170,12 +172,19 @@ RecutSearch find_recut_quads(MeshView source, MeshView target, const Progress& p
         return {};
     if (!a.is_manifold() || !b.is_manifold())
         return {{}, "other diagonals of quads are not looked for, as the meshes are not manifold"};
+    // A single quad that is bent far or not convex stops all walks of convex ones.
+    constexpr std::array<std::pair<Quads, unsigned>, 4> readings{
+        {{Quads::convex, 0}, {Quads::convex, 1}, {Quads::any, 0}, {Quads::any, 1}}};
     const bool have_polygons = source.polygons != nullptr || target.polygons != nullptr;
     if (!have_polygons && is_edit(a.map, b.map)) return {};
-    a.find_diagonals(!have_polygons);
-    b.find_diagonals(!have_polygons);
     std::size_t farthest = 0;
-    for (const unsigned parity : {0U, 1U}) {
+    for (const auto& [quads_sought, parity] : readings) {
+        // Between unlike meshes every walk ends early: another search would be in vain.
+        constexpr std::size_t least_part = 8;
+        const bool is_near = least_part * farthest >= to_size(a.map.n_triangles());
+        if (quads_sought == Quads::any && (have_polygons || !is_near)) break;
+        a.find_diagonals(!have_polygons, quads_sought);
+        b.find_diagonals(!have_polygons, quads_sought);
         Search search(a, b, progress);
         const auto quads = search.run(parity);
         farthest = std::max(farthest, search.farthest());

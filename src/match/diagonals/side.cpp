@@ -31,7 +31,7 @@ Eigen::RowVector3d Side::normal(Index t) const {
     return (b - a).cross(c - a).stableNormalized();
 }
 
-void Side::find_diagonals(bool by_shape) {
+void Side::find_diagonals(bool by_shape, Quads quads) {
     if (mesh.polygons == nullptr && !by_shape) return;
     std::vector<Index> polygon;  // of each triangle of the mesh
     if (mesh.polygons != nullptr)
@@ -41,8 +41,13 @@ void Side::find_diagonals(bool by_shape) {
     for (Index t = 0; t < map.n_triangles(); ++t)
         for (int c = 0; c < 3; ++c) {
             const Dart f = make_dart(t, c);
-            may_cut[halfedge_of(f)] =
-                mesh.polygons != nullptr ? is_inside_polygon(f, polygon) : cuts_convex_quad(f);
+            Cut& cut = may_cut[halfedge_of(f)];
+            if (mesh.polygons != nullptr)
+                cut = is_inside_polygon(f, polygon) ? Cut::likely : Cut::none;
+            else if (cuts_convex_quad(f))
+                cut = Cut::likely;
+            else
+                cut = quads == Quads::any && map.across(f) != no_dart ? Cut::unlikely : Cut::none;
         }
 }
 

@@ -9,14 +9,19 @@
 
 namespace counterpart::diagonals {
 
+/// Whether an edge may cut a quad in two. Unlikely: the quad would be bent far or not be convex.
+enum class Cut : unsigned char { none, unlikely, likely };
+
+/// Quads that are looked for where no polygons are known.
+enum class Quads { convex, any };
+
 /// One of two meshes whose quads may be cut along different diagonals.
 struct Side {
     explicit Side(MeshView mesh_of_side);
 
     MeshView mesh;
     isomorphism::DartMap map;
-    /// Of each half-edge of the map: whether it may cut a quad in two. Empty: no one is known to.
-    std::vector<char> may_cut;
+    std::vector<Cut> may_cut;                ///< of each half-edge of the map. Empty: none is known to
     double scale = 1;                        ///< mean length of an edge
     std::vector<isomorphism::Dart> corners;  ///< by vertex
     std::vector<std::size_t> corner_begin;   ///< where those of each vertex begin; one more at the end
@@ -33,7 +38,7 @@ struct Side {
         return std::span(corners).subspan(first, corner_begin[static_cast<std::size_t>(v) + 1] - first);
     }
     /// Fills may_cut: edges inside polygons of a mesh that has some, of another one `by_shape` if asked to.
-    void find_diagonals(bool by_shape);
+    void find_diagonals(bool by_shape, Quads quads);
 
   private:
     bool is_inside_polygon(isomorphism::Dart f, const std::vector<Index>& polygon) const;

@@ -12,7 +12,12 @@ using namespace isomorphism;
 
 namespace {
 
-bool may_cut(const Side& side, Dart f) { return !side.may_cut.empty() && side.may_cut[halfedge_of(f)] != 0; }
+Cut cut_at(const Side& side, Dart f) {
+    return side.may_cut.empty() ? Cut::none : side.may_cut[halfedge_of(f)];
+}
+
+// What a quad of an unlikely shape adds to its mismatch, as if lengths differed by a fifth more.
+constexpr double unlikely_mismatch = 0.05;
 
 void add(std::vector<Index>& steps, Index step) {
     const auto place = std::lower_bound(steps.begin(), steps.end(), step);
@@ -266,7 +271,8 @@ bool Walk::may_be_quad(const Item& item, Dart side, Cell& cell) const {
     const Dart cut_f = next(item.f, side), cut_g = next(item.g, 3 - side);
     cell = {a_.map.across(cut_f), b_.map.across(cut_g), side, 0};
     return cell.behind_f != no_dart && cell.behind_g != no_dart &&
-           (may_cut(a_, cut_f) || may_cut(b_, cut_g)) && triangle_of(cell.behind_f) != triangle_of(item.f) &&
+           std::max(cut_at(a_, cut_f), cut_at(b_, cut_g)) != Cut::none &&
+           triangle_of(cell.behind_f) != triangle_of(item.f) &&
            triangle_of(cell.behind_g) != triangle_of(item.g) &&
            a_.map.apex(item.f) != a_.map.apex(cell.behind_f) &&
            b_.map.apex(item.g) != b_.map.apex(cell.behind_g);
@@ -286,7 +292,8 @@ void Walk::propose_quads(const Item& item, Cells& cells) const {
             continue;
         const double sum = mismatch(u, w, u_image, q) + mismatch(v, w, v_image, q) +
                            mismatch(u, p, u_image, x) + mismatch(v, p, v_image, x) + mismatch(p, w, x, q);
-        cell.mismatch = sum / 5;
+        const Cut cut = std::max(cut_at(a_, next(item.f, side)), cut_at(b_, next(item.g, 3 - side)));
+        cell.mismatch = sum / 5 + (cut == Cut::unlikely ? unlikely_mismatch : 0);
         cells.cell[cells.count++] = cell;
     }
 }

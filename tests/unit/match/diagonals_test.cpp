@@ -147,6 +147,21 @@ TEST(MatchDiagonals, ALargeTorusWhateverItsBend) {
     }
 }
 
+TEST(MatchDiagonals, SomeQuadsAreNotConvex) {
+    TriangleMesh quads = torus_of_quads(30, 15, 8);
+    for (Index k = 0; k < 4; ++k) {  // a vertex is drawn over the diagonal
+        const Index x = 5 * k + 2, y = 3 * k;
+        const auto at = [&](Index i, Index j) { return quads.vertices.row((x + i) * 15 + y + j); };
+        at(1, 1) = (0.7 * at(0, 0) + 0.15 * at(1, 0) + 0.15 * at(0, 1)).eval();
+    }
+    const TriangleMesh source = test::cut_at_random(quads, 1);
+    TriangleMesh other = test::cut_at_random(quads, 2);
+    for (Index v = 0; v < other.n_vertices(); ++v)
+        other.vertices(v, 2) += 0.1 * std::sin(2 * other.vertices(v, 0));
+    const ShuffleResult target = shuffle(move_at_random(other, 3), 4);
+    expect_found(source, target, match_exact(source, target.mesh));
+}
+
 TEST(MatchDiagonals, SaysHowFarItGot) {
     const TriangleMesh quads = torus_of_quads(12, 8, 5), other = torus_of_quads(8, 12, 5);
     const ExactResult result = match_exact(test::cut_at_random(quads, 1), test::cut_at_random(other, 2));
