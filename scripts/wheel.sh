@@ -11,6 +11,7 @@
 # system takes its type stubs (_core.pyi) from this machine's, which must be in dist/ before. The first wheel for a system
 # takes about 15 minutes of processor time.
 set -euo pipefail
+shopt -s inherit_errexit  # a build that fails ends it, also where its output is taken
 cd "$(dirname "$0")/.."
 here=linux-$(uname -m) system=linux-$(uname -m)
 [ "${1:-}" != --for ] || { system=$2; shift 2; }
