@@ -6,6 +6,7 @@
 #include "match/surface/notices.hpp"
 #include "match/surface/openness.hpp"
 
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,6 +48,30 @@ void add_on_openness(const Level& whole, Messages& messages) {
          fmt::format("the {} is open and the {} closed: what is missing in one is matched all "
                      "the same",
                      source_is_open ? "source" : "target", source_is_open ? "target" : "source")});
+}
+
+// Twice the number of handles, of all components of a closed manifold mesh.
+Index twice_genus(const PreparedShape& shape) {
+    const TriangleMesh& mesh = matched_mesh(shape);
+    return 2 * shape.origin.n_components - (mesh.n_vertices() - mesh.n_triangles() / 2);
+}
+
+// Where limbs touch and are fused in one mesh, an arm lies along the body, and the map may send both
+// elsewhere.
+void add_on_genus(const Level& whole, double score, Messages& messages) {
+    const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
+    for (const Preprocessed* mesh : {&source, &target})
+        if (mesh->n_boundary_loops > 0 || mesh->n_nonmanifold_edges > 0) return;
+    const Index more = twice_genus(whole.b.shape) - twice_genus(whole.a.shape);
+    if (source.n_components != target.n_components || std::abs(more) < 2 ||
+        score >= whole.tuning.confidence.doubtful_fused_score)
+        return;
+    messages.push_back(
+        {MessageCode::fused,
+         Severity::caution,
+         fmt::format("{} through it than the {} has: where limbs touch and are fused, the map may be wrong",
+                     counted(std::abs(more) / 2, "more hole", "more holes"), more > 0 ? "source" : "target"),
+         {more > 0 ? Subject::target : Subject::source}});
 }
 
 void add_on_score(const Level& whole, const Polished& found, Messages& messages) {
@@ -115,6 +140,7 @@ Messages messages_on(const Level& whole, const Polished& found) {
              fmt::format("the source has {} and the target {}: some parts may have no counterpart",
                          counted(source.n_components, "component", "components"), target.n_components)});
     add_on_openness(whole, messages);
+    add_on_genus(whole, found.best.rank(), messages);
     add_on_score(whole, found, messages);
     return messages;
 }

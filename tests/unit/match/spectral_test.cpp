@@ -307,6 +307,20 @@ TEST(MatchSpectral, OneOpenMeshIsWarnedOf) {
     EXPECT_FALSE(warned(open, open));
 }
 
+TEST(MatchSpectral, AHoleThroughOneMeshOnlyIsWarnedOf) {
+    const TriangleMesh ball = bumpy_sphere(3), ring = make_torus(24, 12);
+    const auto fused = [](const TriangleMesh& source, const TriangleMesh& target) {
+        std::vector<Subject> subjects;
+        for (const Message& message : match_spectral(source, target, {}, small).messages)
+            if (message.code == MessageCode::fused) subjects.push_back(message.where.subject);
+        return subjects;
+    };
+    EXPECT_EQ(fused(ball, ring), std::vector{Subject::target});
+    EXPECT_EQ(fused(ring, ball), std::vector{Subject::source});
+    EXPECT_TRUE(fused(ring, ring).empty());
+    EXPECT_TRUE(fused(ball, ball).empty());
+}
+
 // Where a vertex lies at the place of the one across an edge, their two triangles become one, whose edge is a
 // boundary that opens nothing.
 TEST(MatchSpectral, AVertexAtThePlaceOfAnotherIsNoOpening) {
