@@ -6,7 +6,10 @@
 #include "match/surface/notices.hpp"
 #include "match/surface/openness.hpp"
 
+#include <counterpart/mesh/analyze.hpp>
+
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -50,27 +53,31 @@ void add_on_openness(const Level& whole, Messages& messages) {
                      source_is_open ? "source" : "target", source_is_open ? "target" : "source")});
 }
 
-// Twice the number of handles, of all components of a closed manifold mesh.
-Index twice_genus(const PreparedShape& shape) {
-    const TriangleMesh& mesh = matched_mesh(shape);
-    return 2 * shape.origin.n_components - (mesh.n_vertices() - mesh.n_triangles() / 2);
+// Of all components; none where one is open or not manifold.
+std::optional<Index> genus(const TriangleMesh& mesh) {
+    Index sum = 0;
+    for (const ComponentReport& component : analyze(mesh).components) {
+        if (component.n_boundary_loops > 0 || !component.genus()) return std::nullopt;
+        sum += *component.genus();
+    }
+    return sum;
 }
 
 // Where limbs touch and are fused in one mesh, an arm lies along the body, and the map may send both
 // elsewhere.
 void add_on_genus(const Level& whole, double score, Messages& messages) {
-    const Preprocessed &source = whole.a.shape.origin, &target = whole.b.shape.origin;
-    for (const Preprocessed* mesh : {&source, &target})
-        if (mesh->n_boundary_loops > 0 || mesh->n_nonmanifold_edges > 0) return;
-    const Index more = twice_genus(whole.b.shape) - twice_genus(whole.a.shape);
-    if (source.n_components != target.n_components || std::abs(more) < 2 ||
-        score >= whole.tuning.confidence.doubtful_fused_score)
+    if (score >= whole.tuning.confidence.doubtful_fused_score ||
+        whole.a.shape.origin.n_components != whole.b.shape.origin.n_components)
         return;
+    const std::optional<Index> of_source = genus(matched_mesh(whole.a.shape)),
+                               of_target = genus(matched_mesh(whole.b.shape));
+    if (!of_source || !of_target || *of_source == *of_target) return;
+    const Index more = *of_target - *of_source;
     messages.push_back(
         {MessageCode::fused,
          Severity::caution,
          fmt::format("{} through it than the {} has: where limbs touch and are fused, the map may be wrong",
-                     counted(std::abs(more) / 2, "more hole", "more holes"), more > 0 ? "source" : "target"),
+                     counted(std::abs(more), "more hole", "more holes"), more > 0 ? "source" : "target"),
          {more > 0 ? Subject::target : Subject::source}});
 }
 

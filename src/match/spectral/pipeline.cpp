@@ -136,7 +136,8 @@ class Readings {
 
     // Both where one mesh is inside out: badly oriented, or the mirror image of what it was; or where a
     // glance at the mirror image promises more. What a person says of directions
-    // or landmarks tells which reading is meant.
+    // or landmarks tells which reading is meant. Few pairs are searched in the mirror, so that this has
+    // little of the progress.
     void search(const ProgressRange& progress) {
         const bool is_asked = is_mirror_asked(options_);
         if (!is_asked)
