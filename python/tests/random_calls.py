@@ -8,6 +8,7 @@ documented exceptions and leave its arrays as they were; during every sixth call
 the calls of each function ended, as JSON. The file that RANDOM_CALLS_LOG names, if any, holds the number of the
 call that runs: for a sanitizer that ends the process.
 """
+
 import json
 import os
 import sys
