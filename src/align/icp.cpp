@@ -147,7 +147,8 @@ std::vector<Eigen::Matrix3d> axis_rotations() {
 
 // Half at three times the median distance. Distances that are rounding count fully.
 Vector cauchy_weights(const Vector& squared_distances, double size) {
-    const double middle = numerics::median({squared_distances.begin(), squared_distances.end()});
+    const double middle =
+        numerics::median(std::vector<double>(squared_distances.begin(), squared_distances.end()));
     const double half = std::max(9 * middle, 1e-16 * size * size);
     return 1 / (1 + squared_distances.array() / half);
 }
