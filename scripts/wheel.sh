@@ -54,15 +54,18 @@ python_of_system() {
   python3 -m zipfile -e "$stubs" build/stubs
   echo "COUNTERPART_PYTHON_STUB=$PWD/build/stubs/counterpart3d/_core.pyi"
   [ "$system" = windows-x86_64 ] || return 0
-  local folder=$PWD/build/windows-python version
-  version=$(build/wheel-venv/bin/python -c "import sys; print(f'3{sys.version_info[1]}' if sys.version_info < (3, 12) else '3')")
+  # CMake takes the version from the library's name; what is imported for all versions from 3.12 on is python3.dll.
+  local folder=$PWD/build/windows-python minor version
+  minor=$(build/wheel-venv/bin/python -c "import sys; print(sys.version_info[1])")
+  [ "$minor" -lt 12 ] && version=3$minor || version=3
   rm -rf "$folder"
   cp -r "$(build/wheel-venv/bin/python -c "import sysconfig; print(sysconfig.get_path('include'))")" "$folder"
   cp cmake/windows_python/pyconfig.h "$folder"
   { printf 'LIBRARY python%s.dll\nEXPORTS\n' "$version"
     sed -n 's/^-U _//p' build/wheel-venv/lib/python*/site-packages/nanobind/cmake/darwin-ld-cpython.sym; } > "$folder/python.def"
-  "build/zig/$target/dlltool" -m i386:x86-64 -d "$folder/python.def" -l "$folder/python.lib"
-  printf '%s\n' "Python_INCLUDE_DIR=$folder" "Python_LIBRARY=$folder/python.lib" "Python_SABI_LIBRARY=$folder/python.lib"
+  "build/zig/$target/dlltool" -m i386:x86-64 -d "$folder/python.def" -l "$folder/python3.lib"
+  cp "$folder/python3.lib" "$folder/python3$minor.lib"
+  printf '%s\n' "Python_INCLUDE_DIR=$folder" "Python_LIBRARY=$folder/python3$minor.lib" "Python_SABI_LIBRARY=$folder/python3.lib"
 }
 
 # make: the wheel in dist/; says its name last.
