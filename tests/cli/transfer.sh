@@ -188,7 +188,7 @@ write(glb, "two.glb")
 END
 python3 other.py
 run match two.glb copy.glb --method exact -o two.txt
-for what in uv uv,weights; do
+for what in uv uv,skin; do
   run transfer two.glb copy.glb --map two.txt --what $what -o parts_$what.glb
   python3 - parts_$what.glb << 'END'
 import sys
@@ -250,7 +250,7 @@ says "warning: the target is"
 
 # ---- to OBJ and PLY: what they can hold ----
 run transfer character.glb copy.glb --map map.txt -o text.obj
-says "hold no weights, morphs, texture"
+says "hold no skin, morphs, texture"
 [ "$(grep -c '^vt ' text.obj)" -gt 100 ] && [ "$(grep -c '^vn ' text.obj)" -gt 100 ] || fail "no UV or normals in OBJ"
 run transfer character.glb copy.glb --map map.txt -o colored.ply
 head -c 1000 colored.ply | grep -aq 'property [a-z0-9]* red' || fail "no colors in PLY"
