@@ -30,6 +30,7 @@ Json partial_report(const PartialResult& result) {
                    {"target_touching", result.target_touching}};
     if (result.part != Part::neither) report["agreement"] = result.agreement;
     if (!result.alternatives.empty()) report["margin"] = result.margin;
+    if (result.part == Part::both) report["gain_in_mirror"] = result.gain_in_mirror;
     return report;
 }
 

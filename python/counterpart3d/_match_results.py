@@ -120,6 +120,9 @@ class PartialResult(MapResult, Telling):
         Of a part: how well distances agree, 0 .. 1.
     margin : float
         Over the best runner-up's score; inf if there is none.
+    gain_in_mirror : float
+        Of two parts: by how much more of them fits, -2 .. 2, where one is laid on the other's mirror image as a whole;
+        otherwise 0. Ends of bones of two sides: 0.07 to 0.19.
     alternatives : list[PartialAlternative]
         Runners-up, best first.
     source_touching : ndarray of int
@@ -143,6 +146,7 @@ class PartialResult(MapResult, Telling):
     score: float
     agreement: float
     margin: float
+    gain_in_mirror: float
     alternatives: list[PartialAlternative]
     source_touching: IntArray
     target_touching: IntArray

@@ -97,10 +97,11 @@ nb::dict dictionary(PartialResult result) {
                          array(result.source_from_target), "confidence", array(std::move(result.confidence)),
                          "part", to_string(result.part), "scale", result.scale, "mirrored", result.mirrored,
                          "source_share", result.source_share, "target_share", result.target_share, "score",
-                         result.score, "agreement", result.agreement, "margin", result.margin, "alternatives",
-                         alternatives, "source_touching", array(std::move(result.source_touching)),
-                         "target_touching", array(std::move(result.target_touching)), "messages",
-                         list_of(result.messages), "seconds", seconds_of(result.stages));
+                         result.score, "agreement", result.agreement, "margin", result.margin,
+                         "gain_in_mirror", result.gain_in_mirror, "alternatives", alternatives,
+                         "source_touching", array(std::move(result.source_touching)), "target_touching",
+                         array(std::move(result.target_touching)), "messages", list_of(result.messages),
+                         "seconds", seconds_of(result.stages));
 }
 
 nb::dict dictionary(const UvResult& result) {

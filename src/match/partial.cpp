@@ -9,6 +9,7 @@
 #include "match/partial/mirror_image.hpp"
 #include "match/partial/overlap.hpp"
 #include "match/partial/pipeline.hpp"
+#include "match/partial/placements.hpp"
 #include "match/partial/race.hpp"
 #include "match/partial/requests.hpp"
 #include "match/partial/roles.hpp"
@@ -84,9 +85,10 @@ class PartialMatching {
         if (!options_.same_scale) rescale(progress_.part(measured, scaled));
         const SamplePair pair(*part_, *whole_, static_cast<Index>(options_.landmarks.size()),
                               tuning_.surface);
-        const auto& ways = part_is_covered() ? fits : fits_of_parts;
-        std::vector<Fit> found =
-            ways(pair, pins(), tuning_, options_.seed, watch_, progress_.part(scaled, 0.9));
+        const ProgressRange fitting = progress_.part(scaled, 0.9);
+        std::vector<Fit> found = part_is_covered()
+                                     ? fits(pair, pins(), tuning_, options_.seed, watch_, fitting)
+                                     : fits_of_two_parts(pair, fitting);
         if (found.empty()) throw NumericalError("no two samples of the meshes can be matched");
         rank(found, *part_, *whole_, requests(), tuning_.requests);
         take(found, finish(pair, found.front().bent, part_is_covered(), tuning_, progress_.part(0.9, 0.98)));
@@ -156,6 +158,16 @@ class PartialMatching {
         part_ = rescaled(*part_, factor, tuning_.surface);
         scale_ *= factor;
         watch_.lap("scale");
+    }
+
+    std::vector<Fit> fits_of_two_parts(const SamplePair& pair, const ProgressRange& progress) {
+        const std::vector<Placement> placed =
+            placements(*part_, *whole_, pair.n_landmarks, {1}, tuning_.placement);
+        progress.reach(0.1);
+        result_.gain_in_mirror =
+            gain_in_mirror(*part_, *whole_, pair.n_landmarks, placed.front(), tuning_.placement);
+        watch_.lap("placements");
+        return fits_of_parts(pair, placed, pins(), tuning_, options_.seed, watch_, progress.part(0.2, 1));
     }
 
     // A map between the cleaned meshes as one between the inputs.

@@ -72,6 +72,9 @@ struct PartialResult {
     double score = 0;
     double agreement = 0;  ///< in [0, 1]; of a part, of distances; of two: what fits of all that should
     double margin = 0;     ///< over the best runner-up's score; infinite if there is none
+    /// Of two parts: by how much more of them fits, in [-2, 2], where one is laid on the other's mirror image
+    /// as a whole; otherwise 0. Ends of bones of two sides: 0.07 to 0.19.
+    double gain_in_mirror = 0;
     std::vector<PartialAlternative> alternatives;  ///< best first
     /// Of two whole surfaces: vertices where one seems to be fused with another part of itself; increasing.
     std::vector<Index> source_touching, target_touching;

@@ -18,6 +18,14 @@ namespace {
 
 using Vectors = Eigen::Matrix3Xf;
 
+enum class Reading { as_it_is, mirrored };
+
+Points read(const Points& vectors, Reading reading) {
+    Points result = vectors;
+    if (reading == Reading::mirrored) result.col(0) *= -1;
+    return result;
+}
+
 // One of the surfaces, as points that ask and as vertices that answer.
 struct Side {
     Vectors points, normals;    // of all vertices
@@ -26,14 +34,15 @@ struct Side {
     double area;
     NearestGrid nearest;
 
-    Side(const Surface& surface, Index n_landmarks, const PlacementTuning& tuning)
-        : points(surface.mesh.vertices.transpose().cast<float>()),
-          normals(surface.normals.transpose().cast<float>()),
+    Side(const Surface& surface, Index n_landmarks, const PlacementTuning& tuning,
+         Reading reading = Reading::as_it_is)
+        : points(read(surface.mesh.vertices, reading).transpose().cast<float>()),
+          normals(read(surface.normals, reading).transpose().cast<float>()),
           is_open(near_boundary(surface)),
           landmarks(surface.samples.begin(), surface.samples.begin() + n_landmarks),
           asking(surface.samples.begin() + n_landmarks, surface.samples.end()),
           area(surface.area),
-          nearest(surface.mesh.vertices, tuning.cell, tuning.margin) {
+          nearest(read(surface.mesh.vertices, reading), tuning.cell, tuning.margin) {
         asking.resize(std::min(asking.size(), to_size(tuning.n_points)));
     }
 };
@@ -136,11 +145,9 @@ bool are_alike(const Placement& a, const Placement& b, const Side& part, const P
 
 bool better(const Placement& a, const Placement& b) { return a.score > b.score; }
 
-}  // namespace
-
-std::vector<Placement> placements(const Surface& part, const Surface& whole, Index n_landmarks,
-                                  const std::vector<double>& scales, const PlacementTuning& tuning) {
-    const Side of_part(part, n_landmarks, tuning), of_whole(whole, n_landmarks, tuning);
+// All that are tried and settled, best first.
+std::vector<Placement> settled(const Side& of_part, const Side& of_whole, const std::vector<double>& scales,
+                               const PlacementTuning& tuning) {
     const auto first = [](const std::vector<Index>& samples, int n) {
         return std::span(samples).first(std::min(samples.size(), to_size(n)));
     };
@@ -165,20 +172,35 @@ std::vector<Placement> placements(const Surface& part, const Surface& whole, Ind
         std::partial_sort(mine.begin(), mine.begin() + static_cast<std::ptrdiff_t>(kept), mine.end(), better);
         mine.resize(kept);
     });
-    std::vector<Placement> all, found;
+    std::vector<Placement> all;
     for (const auto& mine : tried) all.insert(all.end(), mine.begin(), mine.end());
     std::stable_sort(all.begin(), all.end(), better);
     all.resize(std::min(all.size(), to_size(tuning.n_settled)));
     parallel_for(all.size(), 4,
                  [&](std::size_t i) { settle(all[i], of_part, of_whole, scales.size() > 1, tuning); });
     std::stable_sort(all.begin(), all.end(), better);
-    for (const Placement& p : all) {
+    return all;
+}
+
+}  // namespace
+
+std::vector<Placement> placements(const Surface& part, const Surface& whole, Index n_landmarks,
+                                  const std::vector<double>& scales, const PlacementTuning& tuning) {
+    const Side of_part(part, n_landmarks, tuning), of_whole(whole, n_landmarks, tuning);
+    std::vector<Placement> found;
+    for (const Placement& p : settled(of_part, of_whole, scales, tuning)) {
         if (found.size() == to_size(tuning.n_placements)) break;
         if (std::none_of(found.begin(), found.end(),
                          [&](const Placement& q) { return are_alike(p, q, of_part, tuning); }))
             found.push_back(p);
     }
     return found;
+}
+
+double gain_in_mirror(const Surface& part, const Surface& whole, Index n_landmarks, const Placement& best,
+                      const PlacementTuning& tuning) {
+    const Side of_part(part, n_landmarks, tuning), image(whole, n_landmarks, tuning, Reading::mirrored);
+    return settled(of_part, image, {1}, tuning).front().score - best.score;
 }
 
 }  // namespace counterpart::partial_match

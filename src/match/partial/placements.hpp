@@ -31,4 +31,9 @@ struct Placement {
 std::vector<Placement> placements(const Surface& part, const Surface& whole, Index n_landmarks,
                                   const std::vector<double>& scales, const PlacementTuning& tuning);
 
+/// The score of the best placement of the part, as large as it is, on the whole's mirror image, less that of
+/// `best`, on the whole itself.
+double gain_in_mirror(const Surface& part, const Surface& whole, Index n_landmarks, const Placement& best,
+                      const PlacementTuning& tuning);
+
 }  // namespace counterpart::partial_match

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "match/partial/race.hpp"
 
+#include "base/parallel.hpp"
 #include "base/to_size.hpp"
 #include "match/partial/anchored_map.hpp"
 #include "match/partial/gain.hpp"
-#include "match/partial/placements.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -105,15 +106,12 @@ bool ends_alike(const Runner& a, const Runner& b, const RaceTuning& tuning) {
 }
 
 // The ways in which the race begins.
-std::vector<Start> starts(const SamplePair& pair, const PartialTuning& tuning, std::uint64_t seed,
-                          Stopwatch& watch, const ProgressRange& progress) {
+std::vector<Start> starts(const SamplePair& pair, const std::vector<Placement>& placements,
+                          const PartialTuning& tuning, std::uint64_t seed, Stopwatch& watch,
+                          const ProgressRange& progress) {
     std::vector<Start> found;
-    for (const Placement& placement :
-         placements(pair.source, pair.target, pair.n_landmarks, {1}, tuning.placement))
-        found.push_back({placement, {}});
-    watch.lap("placements");
-    const std::vector<SampleMap> groups =
-        consensus_maps(pair, tuning.consensus, seed, progress.part(0.3, 0.9));
+    for (const Placement& placement : placements) found.push_back({placement, {}});
+    const std::vector<SampleMap> groups = consensus_maps(pair, tuning.consensus, seed, progress.part(0, 0.9));
     watch.lap("consensus");
     for (std::size_t i = 0; i < std::min(groups.size(), tuning.race.n_groups); ++i)
         found.push_back({{}, relabel(pair, groups[i], tuning.consensus, tuning.relabeling)});
@@ -122,26 +120,33 @@ std::vector<Start> starts(const SamplePair& pair, const PartialTuning& tuning, s
     return found;
 }
 
+// All at once, in the order of the starts.
+std::vector<Runner> all_run(const Track& track, const std::vector<Start>& starts,
+                            const ProgressRange& progress) {
+    std::vector<Runner> runners(starts.size());
+    std::atomic<std::size_t> n_done = 0;
+    parallel_for(starts.size(), 1, [&](std::size_t i) {
+        runners[i] = track.run(starts[i]);
+        progress.step(n_done++, starts.size()).reach(1);
+    });
+    return runners;
+}
+
 // The best runners that end in different places.
-std::vector<Runner> raced(const SamplePair& pair, const Pins& pins, std::vector<Start> starts,
-                          const PartialTuning& tuning, const ProgressRange& progress) {
+std::vector<Runner> raced(const SamplePair& pair, const Pins& pins, const std::vector<Start>& starts,
+                          const CoarseSurface& coarse, const PartialTuning& tuning,
+                          const ProgressRange& progress) {
     const RaceTuning& race = tuning.race;
-    const CoarseSurface coarse = coarsened(pair.source, race.n_vertices);
     Pins coarse_pins = pins;
     for (auto& [v, w] : coarse_pins) v = coarse.coarse_of_fine[to_size(v)];
     const Track track(pair, coarse.surface, coarse_pins, tuning);
-    std::vector<Runner> runners;
-    const std::size_t n_again = std::min(race.n_relabeled, starts.size()), n = starts.size() + n_again;
-    for (Start& start : starts) {
-        runners.push_back(track.run(std::move(start)));
-        progress.step(runners.size() - 1, n).reach(1);
-    }
+    std::vector<Runner> runners = all_run(track, starts, progress.part(0, 0.7));
     sort(runners);
-    for (std::size_t i = 0; i < n_again; ++i) {
-        runners.push_back(
-            track.run({{}, relabel(pair, runners[i].anchors, tuning.consensus, tuning.relabeling)}));
-        progress.step(runners.size() - 1, n).reach(1);
-    }
+    std::vector<Start> relabeled;
+    for (std::size_t i = 0; i < std::min(race.n_relabeled, starts.size()); ++i)
+        relabeled.push_back({{}, relabel(pair, runners[i].anchors, tuning.consensus, tuning.relabeling)});
+    for (Runner& runner : all_run(track, relabeled, progress.part(0.7, 1)))
+        runners.push_back(std::move(runner));
     sort(runners);
     std::vector<Runner> leaders;
     for (Runner& runner : runners) {
@@ -175,18 +180,21 @@ Fit judged(Runner runner, const SamplePair& pair, const MatrixF& of_part, const 
 
 }  // namespace
 
-std::vector<Fit> fits_of_parts(const SamplePair& pair, const Pins& pins, const PartialTuning& tuning,
-                               std::uint64_t seed, Stopwatch& watch, const ProgressRange& progress) {
-    std::vector<Start> begun = starts(pair, tuning, seed, watch, progress.part(0, 0.3));
-    const std::vector<Runner> leaders = raced(pair, pins, std::move(begun), tuning, progress.part(0.3, 0.8));
+std::vector<Fit> fits_of_parts(const SamplePair& pair, const std::vector<Placement>& placements,
+                               const Pins& pins, const PartialTuning& tuning, std::uint64_t seed,
+                               Stopwatch& watch, const ProgressRange& progress) {
+    const std::vector<Start> begun = starts(pair, placements, tuning, seed, watch, progress.part(0, 0.2));
+    const CoarseSurface coarse = coarsened(pair.source, tuning.race.n_vertices);
+    std::vector<Runner> leaders = raced(pair, pins, begun, coarse, tuning, progress.part(0.2, 0.7));
     watch.lap("race");
-    const Track track(pair, pair.source, pins, tuning);
+    if (coarse.surface.mesh.n_vertices() < pair.source.mesh.n_vertices()) {
+        std::vector<Start> again;
+        for (Runner& leader : leaders) again.push_back(std::move(leader.start));
+        leaders = all_run(Track(pair, pair.source, pins, tuning), again, progress.part(0.7, 1));
+    }
     const MatrixF of_part = pair.source.signatures_of(pair.source.samples, std::array{tuning.judge_radius});
     std::vector<Fit> found;
-    for (const Runner& leader : leaders) {
-        found.push_back(judged(track.run(leader.start), pair, of_part, tuning));
-        progress.part(0.8, 1).step(found.size() - 1, leaders.size()).reach(1);
-    }
+    for (Runner& leader : leaders) found.push_back(judged(std::move(leader), pair, of_part, tuning));
     watch.lap("fit");
     std::stable_sort(found.begin(), found.end(),
                      [](const Fit& a, const Fit& b) { return a.total > b.total; });

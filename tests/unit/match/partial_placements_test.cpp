@@ -3,9 +3,11 @@
 #include "match/partial/placements.hpp"
 #include "match/partial/race.hpp"
 #include "support/cuts.hpp"
+#include "support/disguise.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
+#include <counterpart/mesh/variants.hpp>
 
 #include <gtest/gtest.h>
 
@@ -23,17 +25,17 @@ class PartialPlacements : public testing::Test {
     const test::PartOfMesh top = test::cut_by_plane(body, {0.2, 1, 0.1}, height - 0.3 * unit),
                            bottom = test::cut_by_plane(body, {0, -1, 0.2}, -height - 0.2 * unit);
 
+    Surface surface_of(TriangleMesh mesh, int n_samples) const {
+        mesh.vertices /= unit;
+        return {std::move(mesh), n_samples, {}, tuning.surface, {}};
+    }
     Surface moved_top(double scale) const {
         TriangleMesh mesh = top.mesh;
         mesh.vertices = ((scale / unit) * mesh.vertices * rotation.transpose()).rowwise() +
                         Eigen::RowVector3d(0.3, -2, 1);
         return {std::move(mesh), 75, {}, tuning.surface, {}};
     }
-    Surface fixed_bottom() const {
-        TriangleMesh mesh = bottom.mesh;
-        mesh.vertices /= unit;
-        return {std::move(mesh), 300, {}, tuning.surface, {}};
-    }
+    Surface fixed_bottom() const { return surface_of(bottom.mesh, 300); }
     // Mean distance of the placed vertices from where they were.
     double error(const Placement& placement, const Surface& part) const {
         double sum = 0;
@@ -52,6 +54,18 @@ TEST_F(PartialPlacements, ThePartComesBackToItsPlace) {
     EXPECT_LT(error(found.front(), part), 0.02);
     EXPECT_FLOAT_EQ(found.front().scale, 1);
     for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i].score, found[i - 1].score);
+}
+
+TEST_F(PartialPlacements, APartOfTheMirrorImageGainsWhatTheOtherReadingLoses) {
+    const TriangleMesh chiral = deform(body, {.bend = 0.4, .twist = 0.8});
+    const Surface part = surface_of(test::cut_by_plane(chiral, {0.2, 1, 0.1}, height - 0.3 * unit).mesh, 75);
+    const TriangleMesh other = test::cut_by_plane(chiral, {0, -1, 0.2}, -height - 0.2 * unit).mesh;
+    const Surface whole = surface_of(other, 300), image = surface_of(test::mirrored(other), 300);
+    const Placement on_whole = placements(part, whole, 0, {1}, tuning.placement).front(),
+                    on_image = placements(part, image, 0, {1}, tuning.placement).front();
+    const double gain = gain_in_mirror(part, whole, 0, on_whole, tuning.placement);
+    EXPECT_LT(gain, -0.05);
+    EXPECT_NEAR(gain_in_mirror(part, image, 0, on_image, tuning.placement), -gain, 0.01);
 }
 
 TEST_F(PartialPlacements, OfUnknownScale) {
