@@ -4,8 +4,8 @@
 #
 # Checks a wheel: scripts/check_wheel.sh WHEEL [PYTHON]. Its size; that the module has the name that Python looks for; that it
 # needs nothing but the system, and that of the age its name says; that the module shows nothing but its entry, so that what it
-# brings is found by no other package. With
-# PYTHON it is installed into a clean environment and the tests run there, unless COUNTERPART_WHEEL_TESTS=0.
+# brings is found by no other package. With PYTHON it is installed into a clean environment and the tests run there, unless
+# COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 wheel=$1 python=${2:-} folder=build/unpacked max_megabytes=15
