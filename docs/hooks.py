@@ -10,7 +10,7 @@ from mkdocs.structure.files import Files
 from mkdocs.structure.nav import Link, Navigation
 from mkdocs.structure.pages import Page
 
-EQUATION = re.compile(r"\$\$(.+?)\$\$|(?<![\\\w$])\$([^$\n`]+?)\$(?![\w$])", re.DOTALL)
+EQUATION = re.compile(r"\$\$(.+?)\$\$|(?<![\\\w$])\$((?:[^$\n`]|\n(?!\n))+?)\$(?![\w$])", re.DOTALL)
 APP = "app/index.html"
 CODE = re.compile(r"(```.*?```|`[^`\n]*`)", re.DOTALL)
 

@@ -2,9 +2,10 @@
 # SPDX-FileCopyrightText: 2026 The counterpart authors
 # SPDX-License-Identifier: MIT
 #
-# Checks a wheel: scripts/check_wheel.sh WHEEL [PYTHON]. Its size; that it needs nothing but the system, and that of the age
-# its name says; that the module shows nothing but its entry, so that what it brings is found by no other package. With
-# PYTHON it is installed into a clean environment and the tests run there, unless COUNTERPART_WHEEL_TESTS=0.
+# Checks a wheel: scripts/check_wheel.sh WHEEL [PYTHON]. Its size; that the module has the name that Python looks for; that it
+# needs nothing but the system, and that of the age its name says; that the module shows nothing but its entry, so that what it
+# brings is found by no other package. With PYTHON it is installed into a clean environment and the tests run there, unless
+# COUNTERPART_WHEEL_TESTS=0.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 wheel=$1 python=${2:-} folder=build/unpacked max_megabytes=15
@@ -43,6 +44,15 @@ check_windows() {
 bytes=$(stat -c %s "$wheel")
 echo "$(basename "$wheel"): $((bytes / 1000)) kB; module $(($(stat -c %s "$module") / 1000)) kB"
 [ "$bytes" -le $((max_megabytes * 1000000)) ] || fail "more than $max_megabytes MB"
+tags=$(basename "$wheel" .whl)
+python_tag=$(cut -d - -f 3 <<< "$tags")
+case $tags in
+  *win_amd64) name=_core.pyd ;;
+  *abi3*) name=_core.abi3.so ;;
+  *macosx*) name=_core.cpython-${python_tag#cp}-darwin.so ;;
+  *) name=_core.cpython-${python_tag#cp}-${tags#*manylinux_*_*_}-linux-gnu.so ;;
+esac
+[ "$(basename "$module")" = "$name" ] || fail "the module is $(basename "$module"), not $name"
 case $wheel in
   *manylinux*) check_linux ;;
   *win_amd64*) check_windows ;;

@@ -38,7 +38,7 @@ def execute(notebook: nbformat.NotebookNode, folder: pathlib.Path) -> None:
     with tempfile.TemporaryDirectory() as sockets:
         config = Config(KernelManager={"transport": "ipc", "ip": f"{sockets}/kernel"})
         metadata = {"metadata": {"path": str(folder)}}
-        NotebookClient(notebook, config=config, timeout=300, resources=metadata).execute()
+        NotebookClient(notebook, config=config, timeout=300, resources=metadata, coalesce_streams=True).execute()
 
 
 def tutorial(file: pathlib.Path) -> None:

@@ -16,11 +16,11 @@ cd "$(dirname "$0")/.."
 here=linux-$(uname -m) system=linux-$(uname -m)
 [ "${1:-}" != --for ] || { system=$2; shift 2; }
 case $system in
-  linux-x86_64) target=x86_64-linux-gnu.2.28 platform=manylinux_2_28_x86_64 ;;
-  linux-aarch64) target=aarch64-linux-gnu.2.28 platform=manylinux_2_28_aarch64 ;;
-  windows-x86_64) target=x86_64-windows-gnu platform=win_amd64 ;;
-  macos-arm64) target=aarch64-macos.11.0 platform=macosx_11_0_arm64 ;;
-  macos-x86_64) target=x86_64-macos.11.0 platform=macosx_11_0_x86_64 ;;
+  linux-x86_64) target=x86_64-linux-gnu.2.28 platform=manylinux_2_28_x86_64 module=x86_64-linux-gnu ;;
+  linux-aarch64) target=aarch64-linux-gnu.2.28 platform=manylinux_2_28_aarch64 module=aarch64-linux-gnu ;;
+  windows-x86_64) target=x86_64-windows-gnu platform=win_amd64 module=win_amd64 ;;
+  macos-arm64) target=aarch64-macos.11.0 platform=macosx_11_0_arm64 module=darwin ;;
+  macos-x86_64) target=x86_64-macos.11.0 platform=macosx_11_0_x86_64 module=darwin ;;
   *) echo "wheel: no system is named $system" >&2; exit 1 ;;
 esac
 scripts/setup.sh packages-python.txt
@@ -48,29 +48,33 @@ pack() {
 # python_of_system: what CMake is told of the system's Python, where that is not this machine's.
 python_of_system() {
   [ "$system" != "$here" ] || return 0
-  local stubs
-  stubs=$(compgen -G "dist/counterpart3d-*-manylinux_*_$(uname -m).whl" | head -n 1) ||
-    { echo "wheel: make the wheel of this machine first" >&2; exit 1; }
-  python3 -m zipfile -e "$stubs" build/stubs
-  echo "COUNTERPART_PYTHON_STUB=$PWD/build/stubs/counterpart3d/_core.pyi"
+  local wheels=(dist/counterpart3d-*-manylinux_*_"$(uname -m)".whl) minor
+  [ -e "${wheels[0]}" ] || { echo "wheel: make the wheel of this machine first" >&2; exit 1; }
+  python3 -m zipfile -e "${wheels[0]}" build/stubs
+  minor=$(build/wheel-venv/bin/python -c "import sys; print(sys.version_info[1])")
+  # In the name of the module: Python looks for no other.
+  printf '%s\n' "COUNTERPART_PYTHON_STUB=$PWD/build/stubs/counterpart3d/_core.pyi" "SKBUILD_SOABI=cpython-3$minor-$module"
   [ "$system" = windows-x86_64 ] || return 0
+  # CMake takes the version from the library's name; what is imported for all versions from 3.12 on is python3.dll.
   local folder=$PWD/build/windows-python version
-  version=$(build/wheel-venv/bin/python -c "import sys; print(f'3{sys.version_info[1]}' if sys.version_info < (3, 12) else '3')")
+  [ "$minor" -lt 12 ] && version=3$minor || version=3
   rm -rf "$folder"
   cp -r "$(build/wheel-venv/bin/python -c "import sysconfig; print(sysconfig.get_path('include'))")" "$folder"
   cp cmake/windows_python/pyconfig.h "$folder"
   { printf 'LIBRARY python%s.dll\nEXPORTS\n' "$version"
     sed -n 's/^-U _//p' build/wheel-venv/lib/python*/site-packages/nanobind/cmake/darwin-ld-cpython.sym; } > "$folder/python.def"
-  "build/zig/$target/dlltool" -m i386:x86-64 -d "$folder/python.def" -l "$folder/python.lib"
-  printf '%s\n' "Python_INCLUDE_DIR=$folder" "Python_LIBRARY=$folder/python.lib" "Python_SABI_LIBRARY=$folder/python.lib"
+  "build/zig/$target/dlltool" -m i386:x86-64 -d "$folder/python.def" -l "$folder/python3.lib"
+  cp "$folder/python3.lib" "$folder/python3$minor.lib"
+  printf '%s\n' "Python_INCLUDE_DIR=$folder" "Python_LIBRARY=$folder/python3$minor.lib" "Python_SABI_LIBRARY=$folder/python3.lib"
 }
 
 # make: the wheel in dist/; says its name last.
 make() {
-  local options=() option
+  local options=() option of_system
+  of_system=$(python_of_system)
   for option in CMAKE_TOOLCHAIN_FILE="$PWD/cmake/toolchains/zig.cmake" COUNTERPART_TARGET="$target" \
     CMAKE_FIND_ROOT_PATH="$libraries" COUNTERPART_THREADS=plain COUNTERPART_PRECOMPILED_HEADERS=OFF \
-    COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" $(python_of_system); do
+    COUNTERPART_WERROR="${COUNTERPART_WERROR:-OFF}" $of_system; do
     options+=(-C "cmake.define.$option")
   done
   rm -rf build/raw

@@ -31,7 +31,8 @@ struct Endings {
 std::vector<std::string> written_meshes() {
     const MeshExtensions extensions = mesh_extensions();
     std::vector<std::string> all = extensions.written;
-    all.insert(all.end(), extensions.written_solids.begin(), extensions.written_solids.end());
+    for (const std::string& solid : extensions.written_solids)
+        if (std::find(all.begin(), all.end(), solid) == all.end()) all.push_back(solid);
     return all;
 }
 

@@ -34,11 +34,6 @@ Json partial_report(const PartialResult& result) {
     return report;
 }
 
-std::filesystem::path numbered_alternative(const std::filesystem::path& file, std::size_t number) {
-    return file.parent_path() / platform::path_of(fmt::format("{}_{}{}", utf8_name(file.stem()), number,
-                                                              utf8_name(file.extension())));
-}
-
 // What was taken for a part of what.
 std::string role(Part part) {
     switch (part) {
@@ -84,8 +79,7 @@ PartialOptions PartialArguments::options_for(const MatchInput& input, const Spec
 MatchOutcome partial_outcome(const SpectralArguments& shared, const PartialResult& result) {
     if (!shared.alternatives.empty())
         for (std::size_t i = 0; i < result.alternatives.size(); ++i)
-            write_vertex_map(result.alternatives[i].target_from_source,
-                             numbered_alternative(shared.alternatives, i + 1));
+            write_vertex_map(result.alternatives[i].target_from_source, shared.alternative(i + 1));
     MatchOutcome outcome;
     outcome.summary.push_back(part_summary(result));
     outcome.summary.push_back(

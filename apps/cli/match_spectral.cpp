@@ -17,11 +17,6 @@
 namespace counterpart::cli {
 namespace {
 
-std::filesystem::path numbered(const std::filesystem::path& file, std::size_t number) {
-    return file.parent_path() / platform::path_of(fmt::format("{}_{}{}", utf8_name(file.stem()), number,
-                                                              utf8_name(file.extension())));
-}
-
 Json report_of(const SpectralResult& result) {
     Json alternatives = Json::array();
     for (const SpectralAlternative& other : result.alternatives)
@@ -94,11 +89,16 @@ MatchOptions SpectralArguments::match_options_for(const MatchInput& input) const
     return result;
 }
 
+std::filesystem::path SpectralArguments::alternative(std::size_t number) const {
+    return alternatives.parent_path() /
+           platform::path_of(fmt::format("{}_{}{}", utf8_name(alternatives.stem()), number,
+                                         utf8_name(alternatives.extension())));
+}
+
 MatchOutcome spectral_outcome(const SpectralArguments& arguments, const SpectralResult& result) {
     if (!arguments.alternatives.empty()) {
         for (std::size_t i = 0; i < result.alternatives.size(); ++i)
-            write_vertex_map(result.alternatives[i].target_from_source,
-                             numbered(arguments.alternatives, i + 1));
+            write_vertex_map(result.alternatives[i].target_from_source, arguments.alternative(i + 1));
     }
     MatchOutcome outcome;
     outcome.summary.push_back(

@@ -26,6 +26,8 @@ struct SpectralArguments {
     SpectralOptions options_for(const MatchInput& input) const;
     /// What is said here, for match().
     MatchOptions match_options_for(const MatchInput& input) const;
+    /// The file of the runner-up of this number, from 1: out.txt is out_1.txt, ...
+    std::filesystem::path alternative(std::size_t number) const;
 };
 
 /// Messages and report of a result; writes the files that were asked for.

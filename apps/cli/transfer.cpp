@@ -58,8 +58,8 @@ constexpr std::array<TransferKind, 6> transfer_kinds = {{
      [](const AttributedMesh& mesh) { return !mesh.texture_coordinates.empty(); }, fits_text},
     {"normals", &TransferOptions::normals,
      [](const AttributedMesh& mesh) { return mesh.normals.values.rows() > 0; }, fits_text},
-    {"weights", &TransferOptions::skin,
-     [](const AttributedMesh& mesh) { return mesh.skin.weights.size() > 0; }, fits_nothing},
+    {"skin", &TransferOptions::skin, [](const AttributedMesh& mesh) { return mesh.skin.weights.size() > 0; },
+     fits_nothing},
     {"morphs", &TransferOptions::morphs, [](const AttributedMesh& mesh) { return !mesh.morphs.empty(); },
      fits_nothing},
     {"texture", &TransferOptions::materials,
@@ -304,7 +304,7 @@ void add_transfer(CLI::App& program) {
     for (const TransferKind& kind : transfer_kinds) names.emplace_back(kind.name);
     transfer
         ->add_option("--what", command->what,
-                     "What to transfer, separated by commas: colors, uv (with its texture), normals, weights "
+                     "What to transfer, separated by commas: colors, uv (with its texture), normals, skin "
                      "(with the skeleton), morphs, texture; or none. Default: everything SOURCE has")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -73,6 +73,12 @@ def spectrum(mesh: MeshLike, k: int = 100, *, progress: ProgressLike = None) -> 
         return Spectrum(*_core.spectrum(core_mesh((vertices, triangles)), k, report), triangles.copy())
 
 
+def _as_spectrum(given: Spectrum) -> Spectrum:
+    if not isinstance(given, Spectrum):
+        raise InvalidInput(f"{type(given).__name__} is no Spectrum: spectrum(mesh, k) makes one of a mesh")
+    return given
+
+
 def functional_map(target_from_source: MapLike, source: Spectrum, target: Spectrum, k: int | None = None) -> FloatArray:
     """The functional map that a map to vertices induces.
 
@@ -96,6 +102,7 @@ def functional_map(target_from_source: MapLike, source: Spectrum, target: Spectr
     -----
     Ovsjanikov et al. 2012, "Functional Maps: A Flexible Representation of Maps Between Shapes".
     """
+    source, target = _as_spectrum(source), _as_spectrum(target)
     most = min(len(source.eigenvalues), len(target.eigenvalues))
     if k is not None and not 1 <= k <= most:
         raise InvalidInput(f"k must be 1 .. {most}, the eigenfunctions that both have, not {k}")
@@ -117,6 +124,7 @@ def vertex_map(source_from_target: Any, source: Spectrum, target: Spectrum) -> I
     ndarray of int32, (n_source,)
         `target_from_source`.
     """
+    source, target = _as_spectrum(source), _as_spectrum(target)
     matrix = floats(source_from_target, "source_from_target", (-1, -1), "F")
     if matrix.shape[0] > len(source.eigenvalues) or matrix.shape[1] > len(target.eigenvalues):
         raise InvalidInput(
@@ -170,6 +178,7 @@ def zoom_out(
     n_threads : int
     progress : ProgressLike
     """
+    source, target = _as_spectrum(source), _as_spectrum(target)
     image = target._vertices_of(target_from_source)
     with reporting(progress, "refining") as report:
         return ZoomOutResult(
@@ -179,12 +188,12 @@ def zoom_out(
 
 def wave_kernel_signature(spectrum: Spectrum, n_energies: int = 40) -> FloatArray:
     """Wave kernel signature (Aubry, Schlickewei, Cremers 2011), n_vertices x n_energies."""
-    return _core.wave_kernel_signature(spectrum._core(), n_energies)
+    return _core.wave_kernel_signature(_as_spectrum(spectrum)._core(), n_energies)
 
 
 def heat_kernel_signature(spectrum: Spectrum, n_times: int = 16) -> FloatArray:
     """Heat kernel signature, scaled (Sun, Ovsjanikov, Guibas 2009), n_vertices x n_times."""
-    return _core.heat_kernel_signature(spectrum._core(), n_times)
+    return _core.heat_kernel_signature(_as_spectrum(spectrum)._core(), n_times)
 
 
 def distances(

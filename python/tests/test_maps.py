@@ -72,6 +72,20 @@ def test_functional_maps(pair):
         cp.functional_map(truth[1:], *bases, 5)
 
 
+def test_a_mesh_in_the_place_of_its_spectrum_is_refused(pair):
+    source, target, truth = pair
+    basis = cp.spectrum(source, 5)
+    for call in (
+        lambda: cp.functional_map(truth, basis, target),
+        lambda: cp.vertex_map(np.eye(5), source, basis),
+        lambda: cp.zoom_out(truth, source, target),
+        lambda: cp.wave_kernel_signature(source),
+        lambda: cp.heat_kernel_signature((source.vertices, source.triangles)),
+    ):
+        with pytest.raises(cp.InvalidInput, match=r"is no Spectrum: spectrum\(mesh, k\)"):
+            call()
+
+
 def test_spectrum_is_orthonormal(body):
     basis = cp.spectrum(body, 10)
     gram = basis.eigenfunctions.T @ (basis.mass[:, None] * basis.eigenfunctions)

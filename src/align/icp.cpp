@@ -5,6 +5,7 @@
 #include "mesh/surface_box.hpp"
 #include "numerics/closest_triangle.hpp"
 #include "numerics/dense_systems.hpp"
+#include "numerics/median.hpp"
 #include "numerics/moments.hpp"
 #include "numerics/rotation.hpp"
 #include "numerics/symmetric_eigen.hpp"
@@ -146,10 +147,9 @@ std::vector<Eigen::Matrix3d> axis_rotations() {
 
 // Half at three times the median distance. Distances that are rounding count fully.
 Vector cauchy_weights(const Vector& squared_distances, double size) {
-    std::vector<double> sorted(squared_distances.begin(), squared_distances.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double half = std::max(9 * *middle, 1e-16 * size * size);
+    const double middle =
+        numerics::median(std::vector<double>(squared_distances.begin(), squared_distances.end()));
+    const double half = std::max(9 * middle, 1e-16 * size * size);
     return 1 / (1 + squared_distances.array() / half);
 }
 

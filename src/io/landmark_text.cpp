@@ -17,19 +17,14 @@
 namespace counterpart::io {
 namespace {
 
-// Without blanks and quotes around it.
-std::string_view stripped(std::string_view text) {
-    constexpr std::string_view around = " \t\r\"";
-    const std::size_t first = text.find_first_not_of(around);
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(around) - first + 1);
-}
+// Around fields of tables.
+constexpr std::string_view around = " \t\r\"";
 
 std::vector<std::string_view> fields_of(std::string_view line) {
     std::vector<std::string_view> fields;
     for (;;) {
         const std::size_t comma = line.find_first_of(",;");
-        fields.push_back(stripped(line.substr(0, comma)));
+        fields.push_back(stripped(line.substr(0, comma), around));
         if (comma == line.npos) return fields;
         line.remove_prefix(comma + 1);
     }
@@ -61,7 +56,7 @@ void for_each_full_line(std::string_view text, const Take& take) {
     text = without_mark(text);
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        if (!stripped(text.substr(0, end)).empty()) take(text.substr(0, end), number);
+        if (!stripped(text.substr(0, end), around).empty()) take(text.substr(0, end), number);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
 }
@@ -84,7 +79,7 @@ void read_axes(std::string_view line, const std::string& name, int number, Landm
     const std::size_t at = line.find("CoordinateSystem");
     const std::size_t equals = at == line.npos ? at : line.find('=', at);
     if (equals == line.npos) return;
-    const std::string_view word = stripped(line.substr(equals + 1));
+    const std::string_view word = stripped(line.substr(equals + 1), around);
     if (word != "RAS" && word != "0" && word != "LPS" && word != "1")
         throw IoError(fmt::format("{}:{}: the CoordinateSystem is neither LPS nor RAS", name, number));
     points.axes = word == "RAS" || word == "0" ? Anatomical::ras : Anatomical::lps;

@@ -14,23 +14,16 @@
 namespace counterpart::io {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 // Calls `take(key word, rest)` for each line that has both.
 template <typename Take>
 void for_each_line(std::string_view text, const Take& take) {
     text = without_mark(text);
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
+        const std::string_view line = stripped(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         const std::size_t key_end = line.find_first_of(" \t");
-        if (key_end != line.npos) take(line.substr(0, key_end), trimmed(line.substr(key_end)));
+        if (key_end != line.npos) take(line.substr(0, key_end), stripped(line.substr(key_end)));
     }
 }
 

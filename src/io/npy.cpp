@@ -196,8 +196,4 @@ std::vector<Index> io::parse_npy_indices(std::string_view bytes, const std::file
     return numbers;
 }
 
-std::vector<Index> read_npy_indices(const std::filesystem::path& file) {
-    return parse_npy_indices(read_whole_file(file), file);
-}
-
 }  // namespace counterpart

@@ -14,6 +14,13 @@ inline std::string_view without_mark(std::string_view text) {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
+/// The text without these characters at either end.
+inline std::string_view stripped(std::string_view text, std::string_view of = " \t\r") {
+    const std::size_t first = text.find_first_not_of(of);
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(of) - first + 1);
+}
+
 /// Walks through a text file held in memory, line by line and word by word, and knows the line it is on.
 /// A byte order mark before the text is passed over. Lines end with LF, CR LF or CR; a backslash at a line's
 /// end continues the line; '#' starts a comment.

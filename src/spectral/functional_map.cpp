@@ -11,51 +11,6 @@
 #include <cmath>
 
 namespace counterpart {
-namespace {
-
-// Coefficients of functions (V x d) at unit area, each of length 1.
-Eigen::MatrixXd coefficients(const EigenBasis& basis, const Eigen::MatrixXd& functions, int k) {
-    Eigen::MatrixXd result =
-        basis.eigenfunctions.leftCols(k).transpose() * basis.mass.asDiagonal() * functions;
-    for (Eigen::Index j = 0; j < result.cols(); ++j) result.col(j) /= std::max(result.col(j).norm(), 1e-300);
-    return result;
-}
-
-Eigen::MatrixXd heat_kernels(const EigenBasis& basis, const std::vector<Index>& vertices,
-                             const std::vector<double>& times, int k) {
-    const double area = basis.mass.sum();
-    Eigen::MatrixXd result(k, static_cast<Eigen::Index>(vertices.size() * times.size()));
-    Eigen::Index column = 0;
-    for (const Index v : vertices) {
-        for (const double t : times) {
-            result.col(column) = basis.eigenfunctions.row(v).head(k).transpose().array() *
-                                 (-t * area * basis.eigenvalues.head(k).array()).exp();
-            result.col(column) /= std::max(result.col(column).norm(), 1e-300);
-            ++column;
-        }
-    }
-    return result;
-}
-
-void require_inputs(const EigenBasis& source, const Eigen::MatrixXd& source_descriptors,
-                    const EigenBasis& target, const Eigen::MatrixXd& target_descriptors,
-                    std::span<const std::pair<Index, Index>> landmarks, const DescriptorMapOptions& options) {
-    const std::string name = "functional_map_from_descriptors: ";
-    if (source_descriptors.cols() != target_descriptors.cols())
-        throw InvalidInput(name + "both meshes need the same descriptors");
-    if (source_descriptors.cols() > 0 &&
-        (source_descriptors.rows() != source.mass.size() || target_descriptors.rows() != target.mass.size()))
-        throw InvalidInput(name + "one row of descriptors per vertex is needed");
-    if (source_descriptors.cols() == 0 && landmarks.empty())
-        throw InvalidInput(name + "descriptors or landmarks are needed");
-    for (const auto& [s, t] : landmarks)
-        if (s < 0 || s >= source.mass.size() || t < 0 || t >= target.mass.size())
-            throw InvalidInput(name + "a landmark is out of range");
-    if (options.k < 1 || !(options.commutativity >= 0) || !(options.descriptor_weight >= 0))
-        throw InvalidInput(name + "an option is out of range");
-}
-
-}  // namespace
 
 FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBasis& source,
                              const EigenBasis& target, int k) {
@@ -96,35 +51,6 @@ FunctionalMap fit_functional_map(const Eigen::MatrixXd& source_coefficients, con
         map.row(i) = numerics::solve_symmetric(system, Vector(cross.row(i).transpose())).transpose();
     }
     return map;
-}
-
-FunctionalMap functional_map_from_descriptors(const EigenBasis& source,
-                                              const Eigen::MatrixXd& source_descriptors,
-                                              const EigenBasis& target,
-                                              const Eigen::MatrixXd& target_descriptors,
-                                              std::span<const std::pair<Index, Index>> landmarks,
-                                              const DescriptorMapOptions& options) {
-    require_inputs(source, source_descriptors, target, target_descriptors, landmarks, options);
-    std::vector<Index> on_source, on_target;
-    for (const auto& [s, t] : landmarks) {
-        on_source.push_back(s);
-        on_target.push_back(t);
-    }
-    const auto all_of = [&](const EigenBasis& basis, const Eigen::MatrixXd& descriptors,
-                            const std::vector<Index>& vertices) {
-        const int k = std::min(options.k, basis.size());
-        Eigen::MatrixXd all(
-            k, descriptors.cols() + static_cast<Eigen::Index>(vertices.size() * options.heat_times.size()));
-        if (descriptors.cols() > 0)
-            all.leftCols(descriptors.cols()) =
-                coefficients(basis, descriptors, k) * options.descriptor_weight;
-        all.rightCols(all.cols() - descriptors.cols()) = heat_kernels(basis, vertices, options.heat_times, k);
-        return all;
-    };
-    return fit_functional_map(all_of(source, source_descriptors, on_source),
-                              source.eigenvalues * source.mass.sum(),
-                              all_of(target, target_descriptors, on_target),
-                              target.eigenvalues * target.mass.sum(), options.commutativity);
 }
 
 VertexMap vertex_map(const FunctionalMap& source_from_target, const EigenBasis& source,

@@ -22,7 +22,7 @@ cp b.obj b.before
 refuse 1 "but the ending is that of a mesh" match a.obj b.obj -o a.obj
 refuse 1 "but the ending is that of a mesh" match a.obj b.obj -o map.obj
 refuse 1 "but the ending is that of an archive" match a.obj b.obj -o map.npz
-refuse 1 "must end in .off, .obj" convert a.obj a.fbx
+refuse 1 "must end in .off, .obj, .ply, .stl, .glb, .gltf, .vtk, .vtp, .msh, .mesh$" convert a.obj a.fbx
 # ---- scenes, which another program reads ----
 : > scene.fbx
 refuse 1 "scene.fbx: this is a scene; 'counterpart import scene.fbx scene.glb' makes a mesh file of it" \

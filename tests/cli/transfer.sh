@@ -188,7 +188,7 @@ write(glb, "two.glb")
 END
 python3 other.py
 run match two.glb copy.glb --method exact -o two.txt
-for what in uv uv,weights; do
+for what in uv uv,skin; do
   run transfer two.glb copy.glb --map two.txt --what $what -o parts_$what.glb
   python3 - parts_$what.glb << 'END'
 import sys
@@ -202,11 +202,11 @@ for p, name in zip(primitives, names):
     assert all((u[i][0] < 0.5) == (name == "front") for i, in glb.rows(p["indices"])), name
 END
 done
-run transfer character.glb two.glb --what weights -o bound_parts.glb
+run transfer character.glb two.glb --what skin -o bound_parts.glb
 says "the 2 parts of two.glb become those of the source"
 run transfer static.glb character.glb --inverse again.txt --what texture -o clothed.glb
-run transfer character.glb static.glb --map again.txt --what weights -o bound.glb
-run transfer character.glb copy.glb --map map.txt --what weights -o gray.glb
+run transfer character.glb static.glb --map again.txt --what skin -o bound.glb
+run transfer character.glb copy.glb --map map.txt --what skin -o gray.glb
 run transfer character.glb body.obj --what uv -o unbound.glb
 python3 - << 'END'
 from glb import *
@@ -250,7 +250,7 @@ says "warning: the target is"
 
 # ---- to OBJ and PLY: what they can hold ----
 run transfer character.glb copy.glb --map map.txt -o text.obj
-says "hold no weights, morphs, texture"
+says "hold no skin, morphs, texture"
 [ "$(grep -c '^vt ' text.obj)" -gt 100 ] && [ "$(grep -c '^vn ' text.obj)" -gt 100 ] || fail "no UV or normals in OBJ"
 run transfer character.glb copy.glb --map map.txt -o colored.ply
 head -c 1000 colored.ply | grep -aq 'property [a-z0-9]* red' || fail "no colors in PLY"
@@ -281,12 +281,12 @@ refuse 1 "the inverse map" transfer character.glb coarse.obj --map coarse.txt -o
 refuse 1 "but its source mesh has" transfer character.glb fine.obj --map coarse.txt -o none.glb
 echo "1 2" > bad.txt
 refuse 1 "bad.txt:1: " transfer character.glb copy.glb --map bad.txt -o none.glb
-refuse 1 "copy.glb has no weights; it has nothing" transfer copy.glb again.glb --map map.txt --what weights -o none.glb
-refuse 1 "static.glb has no weights; it has colors, uv, normals, morphs, texture" \
-  transfer static.glb copy.glb --map map.txt --what colors,weights -o none.glb
+refuse 1 "copy.glb has no skin; it has nothing" transfer copy.glb again.glb --map map.txt --what skin -o none.glb
+refuse 1 "static.glb has no skin; it has colors, uv, normals, morphs, texture" \
+  transfer static.glb copy.glb --map map.txt --what colors,skin -o none.glb
 refuse 1 "sum to zero" transfer unbound.glb copy.glb --map map.txt -o none.glb
 refuse 1 "short_morph.glb: .*morph" transfer short_morph.glb copy.glb --map map.txt -o none.glb
 refuse 1 "absent.png" transfer no_texture.glb copy.glb --map map.txt -o none.glb
-refuse 1 "weights can be written only to .glb or .gltf" transfer character.glb copy.glb --map map.txt --what weights -o none.obj
+refuse 1 "skin can be written only to .glb or .gltf" transfer character.glb copy.glb --map map.txt --what skin -o none.obj
 refuse 2 "--what" transfer character.glb copy.glb --map map.txt --what smell -o none.glb
 refuse 2 "--inverse" transfer character.glb copy.glb --map map.txt --inverse map.txt -o none.glb

@@ -8,7 +8,6 @@
 
 #include <filesystem>
 #include <span>
-#include <vector>
 
 namespace counterpart {
 
@@ -31,7 +30,5 @@ void write_npy(const Vector& vector, const std::filesystem::path& file);
 
 /// Writes a vector of integers as `.npy` (int32).
 void write_npy(std::span<const Index> numbers, const std::filesystem::path& file);
-/// Reads a one-dimensional `.npy` of int32 or int64. Throws IoError also for numbers that Index cannot hold.
-std::vector<Index> read_npy_indices(const std::filesystem::path& file);
 
 }  // namespace counterpart

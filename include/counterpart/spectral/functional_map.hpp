@@ -5,10 +5,6 @@
 #include <counterpart/map/vertex_map.hpp>
 #include <counterpart/spectral/eigen_basis.hpp>
 
-#include <span>
-#include <utility>
-#include <vector>
-
 namespace counterpart {
 
 /// A linear map from functions on the target to functions on the source, in their eigenfunctions: C(i, j) is
@@ -29,25 +25,6 @@ FunctionalMap functional_map(const VertexMap& target_from_source, const EigenBas
 FunctionalMap fit_functional_map(const Eigen::MatrixXd& source_coefficients, const Vector& source_eigenvalues,
                                  const Eigen::MatrixXd& target_coefficients, const Vector& target_eigenvalues,
                                  double commutativity = 3);
-
-struct DescriptorMapOptions {
-    int k = 20;                ///< eigenfunctions of each mesh, at least 1
-    double commutativity = 3;  ///< at least 0; columns have length 1
-    /// Times of the heat kernels around landmarks, at unit area.
-    std::vector<double> heat_times{0.005, 0.02, 0.06};
-    double descriptor_weight = 0.2;  ///< of each descriptor against each landmark's kernel; at least 0
-};
-
-/// A first functional map without any vertex map: from descriptors that corresponding vertices share (V x d
-/// for each mesh, as wave_kernel_signature; may have no columns) and known pairs (source vertex, target
-/// vertex), whose heat kernels correspond. Throws InvalidInput if sizes differ, for landmarks and options out
-/// of range, and if there is neither descriptor nor landmark.
-FunctionalMap functional_map_from_descriptors(const EigenBasis& source,
-                                              const Eigen::MatrixXd& source_descriptors,
-                                              const EigenBasis& target,
-                                              const Eigen::MatrixXd& target_descriptors,
-                                              std::span<const std::pair<Index, Index>> landmarks = {},
-                                              const DescriptorMapOptions& options = {});
 
 /// The vertex map that a functional map represents: each source vertex maps to the target vertex with the
 /// nearest coefficients, rows of Phi_source against rows of Phi_target C^T. O(V_source V_target k).

@@ -79,7 +79,7 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
 
 
 def _make(given: argparse.Namespace) -> None:
-    from .opened import Collection
+    from . import Collection
 
     if given.add:
         _refuse_beside_add(given)
@@ -124,7 +124,7 @@ def _refuse_beside_add(given: argparse.Namespace) -> None:
 
 
 def _retrieve(given: argparse.Namespace) -> None:
-    from .opened import Collection
+    from . import Collection
 
     found = Collection(given.collection).retrieve(given.query, given.k)
     for answer in found:
@@ -151,6 +151,6 @@ def _answered(
         print(f"error: {error.filename or 'output'}: {error.strerror or error}; run it again to go on", file=sys.stderr)
         return NOT_WRITTEN
     except ModuleNotFoundError as error:
-        print(f"error: {error.name} is not installed: pip install 'counterpart3d[collection]'", file=sys.stderr)
+        print(f"error: {error}", file=sys.stderr)
         return REFUSED
     return 0

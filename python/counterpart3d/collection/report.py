@@ -187,8 +187,9 @@ def _notices(made: Shown) -> str:
     if bad:
         said.append(
             f"{bad} files or specimens have a remark in the table below. Look at their pictures: colors that sit "
-            "elsewhere than on the others show a wrong map. Landmarks on one of them, a template nearer to them, or "
-            "--pairs all help; what does not belong is best taken out of the folder."
+            "elsewhere than on the others show a wrong map. Landmarks on one of them, a template nearer to them, "
+            "--pairs all or, where left and right are mixed, --mirror auto help; what does not belong is best taken "
+            "out of the folder."
         )
     return "\n".join(f"<p class=notice>{html.escape(sentence)}.</p>".replace("..<", ".<") for sentence in said)
 

@@ -36,6 +36,10 @@ def shown(page):
     return re.sub(r"<script.*?</script>", "", page, flags=re.DOTALL)
 
 
+def test_it_says_what_helps_where_specimens_have_remarks(report):
+    assert "where left and right are mixed, --mirror auto help" in report.read_text()
+
+
 def test_its_plots_need_no_script(report):
     page = shown(report.read_text())
     assert page.count("<circle") == 4 and '<canvas id="view"' in page and "data-drawn" not in page

@@ -27,20 +27,6 @@ std::map<Corners, Index> by_vertices(TrianglesView triangles) {
     return result;
 }
 
-// The vertices around a quad that is cut in triangles t and t + 1: a tip, an end of the diagonal, the other
-// tip, the other end.
-std::array<Index, 4> around(TrianglesView triangles, Index t) {
-    const auto in_other = [&](Index v) {
-        return triangles(t + 1, 0) == v || triangles(t + 1, 1) == v || triangles(t + 1, 2) == v;
-    };
-    Index tip = 0;
-    while (tip < 2 && in_other(triangles(t, tip))) ++tip;
-    const Index one = triangles(t, (tip + 1) % 3), other = triangles(t, (tip + 2) % 3);
-    Index far = 0;
-    while (far < 2 && (triangles(t + 1, far) == one || triangles(t + 1, far) == other)) ++far;
-    return {triangles(t, tip), one, triangles(t + 1, far), other};
-}
-
 struct PairedQuads {
     std::vector<Pair> known, other;
 };
@@ -52,7 +38,7 @@ PairedQuads paired_quads(MeshView known, MeshView other, const std::vector<Index
     for (Index q = 0; q < known.polygons->count(); ++q) {
         if (known.polygons->size(q) != 4) continue;
         const Index t = known.polygons->first_triangle(q);
-        std::array<Index, 4> v = around(known.triangles, t);
+        std::array<Index, 4> v = around_quad(known.triangles, t, t + 1);
         for (Index& corner : v) corner = other_from_known[to_size(corner)];
         const std::array<std::array<Corners, 2>, 2> cuts{
             {{Corners{v[0], v[1], v[3]}, Corners{v[1], v[2], v[3]}},

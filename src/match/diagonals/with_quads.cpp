@@ -8,6 +8,18 @@ namespace counterpart::diagonals {
 
 using isomorphism::to_size;
 
+std::array<Index, 4> around_quad(TrianglesView triangles, Index t, Index u) {
+    const auto in_other = [&](Index v) {
+        return triangles(u, 0) == v || triangles(u, 1) == v || triangles(u, 2) == v;
+    };
+    Index tip = 0;
+    while (tip < 2 && in_other(triangles(t, tip))) ++tip;
+    const Index one = triangles(t, (tip + 1) % 3), other = triangles(t, (tip + 2) % 3);
+    Index far = 0;
+    while (far < 2 && (triangles(u, far) == one || triangles(u, far) == other)) ++far;
+    return {triangles(t, tip), one, triangles(u, far), other};
+}
+
 WithQuads with_quads(MeshView mesh, const std::vector<std::array<Index, 2>>& quads) {
     WithQuads result{{mesh.vertices, {}}, {}};
     std::vector<char> is_half(to_size(mesh.n_triangles()), 0);
@@ -26,19 +38,13 @@ WithQuads with_quads(MeshView mesh, const std::vector<std::array<Index, 2>>& qua
         const Index t = quad[0], u = quad[1];
         const Index first = polygons.first.back();
         result.triangle.insert(result.triangle.end(), {t, u});
-        const auto in_other = [&](Index v) {
-            return mesh.triangles(u, 0) == v || mesh.triangles(u, 1) == v || mesh.triangles(u, 2) == v;
+        const std::array<Index, 4> corner = around_quad(mesh.triangles, t, u);
+        const auto add = [&](Index triangle, Index tip) {
+            for (const Index v : mesh.triangles.row(triangle))
+                corners.push_back(first + (v == corner[1] ? 1 : v == corner[3] ? 3 : tip));
         };
-        Index tip = 0;  // the corner of t that is not on the diagonal
-        while (tip < 2 && in_other(mesh.triangles(t, tip))) ++tip;
-        // Around the quad: the tip, one end of the diagonal, the other tip, the other end.
-        const Index one = mesh.triangles(t, (tip + 1) % 3), other = mesh.triangles(t, (tip + 2) % 3);
-        const std::array<Index, 3> place = {0, 1, 3};
-        for (Index c = 0; c < 3; ++c) corners.push_back(first + place[to_size((c - tip + 3) % 3)]);
-        for (Index c = 0; c < 3; ++c) {
-            const Index v = mesh.triangles(u, c);
-            corners.push_back(first + (v == one ? 1 : v == other ? 3 : 2));
-        }
+        add(t, 0);
+        add(u, 2);
         polygons.first.push_back(first + 4);
     }
     result.mesh.triangles = mesh.triangles(result.triangle, Eigen::all);

@@ -4,6 +4,7 @@
 
 #include "align/elastic_fit.hpp"
 #include "base/parallel.hpp"
+#include "numerics/median.hpp"
 
 #include <counterpart/mesh/measure.hpp>
 
@@ -22,9 +23,8 @@ Vector trust_in(const BentSource& bent, const Surface& target, const FitTuning& 
     Vector distance(n), trust(n);
     for (Eigen::Index v = 0; v < n; ++v)
         distance[v] = (bent.positions.row(v) - target.mesh.vertices.row(bent.image[at(v)])).norm();
-    std::vector<double> sorted(distance.begin(), distance.end());
-    std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
-    const double scale = std::max(tuning.robust_factor * sorted[at(n / 2)], tuning.min_scale);
+    const double middle = numerics::median(std::vector<double>(distance.begin(), distance.end()));
+    const double scale = std::max(tuning.robust_factor * middle, tuning.min_scale);
     for (Eigen::Index v = 0; v < n; ++v) {
         const double x = distance[v] / scale, fall = 1 / (1 + x * x);
         trust[v] = std::max(fall * fall, tuning.min_trust);

@@ -4,6 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "match/partial/anchored_map.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,11 +92,7 @@ ScaleTrial try_scale(const SamplePair& pair, const PartialTuning& tuning, std::u
         const double score = alike * mean_of(map.support);
         if (votes <= 0 || score <= best.score) continue;
         best.score = score;
-        if (!ratios.empty()) {
-            std::nth_element(ratios.begin(), ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2),
-                             ratios.end());
-            best.ratio = ratios[ratios.size() / 2];
-        }
+        if (!ratios.empty()) best.ratio = numerics::median(std::move(ratios));
     }
     return best;
 }

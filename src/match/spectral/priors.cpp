@@ -3,10 +3,12 @@
 #include "match/spectral/priors.hpp"
 
 #include "geodesic/dijkstra.hpp"
+#include "numerics/median.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace counterpart::spectral_match {
 namespace {
@@ -50,9 +52,7 @@ double image_distance(const PreparedShape& from, const VectorF& near_end, const 
     std::vector<float> distances;
     for (std::size_t s = 0; s < map.size(); ++s)
         if (near_end[from.samples[s]] <= reach) distances.push_back(far_end[to.samples[at(map[s])]]);
-    const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), median, distances.end());
-    return *median;
+    return numerics::median(std::move(distances));
 }
 
 double image_distance(const PreparedShape& a, const PreparedShape& b, const PriorPair& pair,

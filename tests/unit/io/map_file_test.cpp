@@ -29,7 +29,7 @@ TEST(MapFile, RoundTripsInBothFormatsAndBases) {
 TEST(MapFile, TheFormatIsToldInCapitalsToo) {
     const TemporaryFolder folder;
     write_vertex_map({{4, -1}, 5}, folder / "map.Npy");
-    EXPECT_EQ(read_npy_indices(folder / "map.Npy"), (std::vector<Index>{4, -1}));
+    EXPECT_EQ(read_npy(folder / "map.Npy"), (Matrix{{4}, {-1}}));
 }
 
 TEST(MapFile, TextMayHaveCommentsAndCarriageReturns) {

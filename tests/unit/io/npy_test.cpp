@@ -4,6 +4,7 @@
 #include "support/temporary_folder.hpp"
 
 #include <counterpart/base/errors.hpp>
+#include <counterpart/io/map_file.hpp>
 #include <counterpart/io/npy.hpp>
 
 #include <gtest/gtest.h>
@@ -33,7 +34,6 @@ TEST(Npy, MatricesAndVectorsRoundTrip) {
 
     const std::vector<Index> numbers = {3, -1, 2147483647};
     write_npy(numbers, folder / "b.npy");
-    EXPECT_EQ(read_npy_indices(folder / "b.npy"), numbers);
     EXPECT_EQ(read_npy(folder / "b.npy"), (Matrix{{3}, {-1}, {2147483647}}));
     EXPECT_TRUE(read_npy_layout(folder / "b.npy").is_integer);
     EXPECT_EQ(read_npy_layout(folder / "b.npy").n_dimensions, 1);
@@ -96,10 +96,10 @@ TEST(Npy, RefusesWhatItCannotRead) {
 TEST(Npy, IndicesMustBeWholeNumbersThatFit) {
     const TemporaryFolder folder;
     write_npy(Matrix{{1}}, folder / "a.npy");
-    test::expect_error<IoError>([&] { read_npy_indices(folder / "a.npy"); }, "int32 or int64");
+    test::expect_error<IoError>([&] { read_vertex_map(folder / "a.npy"); }, "int32 or int64");
     const auto wide = folder.file("b.npy", npy("{'descr': '<i8', 'fortran_order': False, 'shape': (1,), }",
                                                std::string("\0\0\0\0\x01\0\0\0", 8)));
-    test::expect_error<IoError>([&] { read_npy_indices(wide); }, "entry 0 is out of range: 4294967296");
+    test::expect_error<IoError>([&] { read_vertex_map(wide); }, "entry 0 is out of range: 4294967296");
 }
 
 }  // namespace
