@@ -160,7 +160,7 @@ def test_nearest_points():
 @pytest.mark.parametrize("side", [1, -1])
 def test_nearest_points_stay_on_the_limb_that_faces_as_they_do(side):
     ball = cp.make_icosphere(3)
-    vertices = np.vstack([ball.vertices, ball.vertices + [2.001, 0, 0]])
+    vertices = np.vstack([ball.vertices, np.add(ball.vertices, [2.001, 0, 0])])
     triangles = np.vstack([ball.triangles, ball.triangles + ball.n_vertices])
     points = ball.vertices * 1.02  # those near the other ball lie in it
     first = [nearest_points(points, vertices, triangles, normals)[0] for normals in (None, side * ball.vertices)]
