@@ -11,6 +11,7 @@ import numpy as np
 from .. import Mesh, SurfaceMap
 from .._arrays import FloatArray
 from .correspondence import positions
+from .folds import PASSES
 from .registration import fitted
 from .shapes import mesh_of
 from .store import Arrays, Store, compute_once, key_of
@@ -77,7 +78,7 @@ def agree(store: Store, specimen: str, mirrored: bool, own: str, neighbors: list
 
 
 def refit_key(registration: str, agreement: str) -> str:
-    return key_of("refit", registration, agreement)
+    return key_of("refit", registration, agreement, unfolded=PASSES)
 
 
 def refit(store: Store, template: str, specimen: str, mirrored: bool, registration: str, agreement: str) -> str | None:
@@ -89,7 +90,7 @@ def refit(store: Store, template: str, specimen: str, mirrored: bool, registrati
     def compute() -> Arrays:
         model, scan = mesh_of(store.get("shapes", template)), mesh_of(store.get("shapes", specimen), mirrored=mirrored)
         agreed = _surface_map(store.get("agreements", agreement))
-        return {**store.get("registrations", registration), **fitted(model, scan, agreed)}
+        return {**store.get("registrations", registration), **fitted(model, scan, agreed, unfold=True)}
 
     return compute_once(store, "registrations", refit_key(registration, agreement), compute)
 

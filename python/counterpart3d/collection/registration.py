@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from .. import Mesh, SurfaceMap, fit, match_spectral, project_map
 from .._arrays import FloatArray, IntArray
-from .folds import PASSES, folded_edges, turned_triangles, unfolded
+from .folds import folded_edges, turned_triangles, unfolded
 from .shapes import mesh_of, prepared
 from .store import Arrays, Store, compute_once, key_of
 from .surfaces import nearest_points
@@ -19,7 +19,7 @@ NEAR = 0.01  # of the diagonal, or half an edge of a coarse template: a scan's v
 
 
 def registration_key(template: str, specimen: str, mirrored: bool, start: str) -> str:
-    return key_of("registrations", template, specimen, start, mirrored=mirrored, stiffness=STIFFNESS, unfolded=PASSES)
+    return key_of("registrations", template, specimen, start, mirrored=mirrored, stiffness=STIFFNESS)
 
 
 def register(store: Store, template: str, specimen: str, mirrored: bool, start: tuple[str, str]) -> str | None:
@@ -72,11 +72,11 @@ def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays
     }
 
 
-def fitted(model: Mesh, scan: Mesh, points: SurfaceMap) -> Arrays:
+def fitted(model: Mesh, scan: Mesh, points: SurfaceMap, *, unfold: bool = False) -> Arrays:
     """The template's mesh on the specimen, smooth, and how well it lies there."""
     found = fit(model, scan, points, stiffness=STIFFNESS, n_threads=1)
-    triangles = model.triangles
-    vertices, distance = unfolded(model.vertices, found.vertices, triangles), found.distance.copy()
+    triangles, distance = model.triangles, found.distance.copy()
+    vertices = unfolded(model.vertices, found.vertices, triangles) if unfold else found.vertices
     moved = (vertices != found.vertices).any(axis=1)
     if moved.any():
         distance[moved] = nearest_points(vertices[moved], scan.vertices, scan.triangles)[2]

@@ -33,7 +33,7 @@ def test_turned_triangles_are_turned_back_and_nothing_else_moves_far(tangled):
 
 
 def test_what_is_not_folded_stays():
-    bent = cp.deform(BALL, warp=0.3, seed=1).vertices
+    bent = cp.deform(BALL, warp=0.1, seed=1).vertices
     assert unfolded(BALL.vertices, bent, BALL.triangles) is bent
 
 
