@@ -5,44 +5,86 @@
 
 TRUTH is a folder with, for each specimen, NAME.vts (line k is the vertex of point k, counted from 1: all ordered pairs
 are read off, error x 100 / sqrt(area)), or landmarks set by hand, NAME.mrk.json or NAME.json, in the frame of the file
-that was given (those of each are carried to all others: mesh units). Prints the mean, the median and the worst pair.
+that was given (those of each are carried to all others: mesh units). Prints one JSON line: mean, median and worst pair;
+with NAME.vts also, of the pairs that were matched, the error of their own best maps beside that of the collection's.
 """
 
 import argparse
 import itertools
+import json
 import pathlib
-import random
 
 import counterpart3d as cp
 import numpy as np
 from counterpart3d.collection import Collection
+from counterpart3d.collection.pairs import pair_key
+
+Pair = tuple[str, str]
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("out")
+    parser.add_argument("out", type=pathlib.Path)
     parser.add_argument("truth", type=pathlib.Path)
-    parser.add_argument("--pairs", type=int, default=10**9, help="at most this many, drawn at random")
     given = parser.parse_args()
     collection = Collection(given.out)
-    pairs = list(itertools.permutations(collection.names, 2))
-    random.Random(0).shuffle(pairs)
-    dense = (given.truth / f"{collection.names[0]}.vts").exists()
-    measure = dense_error if dense else landmark_error
-    errors = {pair: measure(collection, given.truth, *pair) for pair in pairs[: given.pairs]}
+    own: dict[Pair, float] = {}
+    if (given.truth / f"{collection.names[0]}.vts").exists():
+        errors, own = dense_errors(collection, given.truth)
+    else:
+        pairs = itertools.permutations(collection.names, 2)
+        errors = {pair: landmark_error(collection, given.truth, *pair) for pair in pairs}
     values = np.array(list(errors.values()))
     worst = max(errors, key=lambda pair: errors[pair])
-    print(f"{len(values)} pairs: mean {values.mean():.3f}, median {np.median(values):.3f}, ", end="")
-    print(f"worst {values.max():.3f} ({worst[0]} to {worst[1]})")
+    result = {
+        "collection": given.out.name,
+        "pairs": len(values),
+        "mean": round(float(values.mean()), 4),
+        "median": round(float(np.median(values)), 4),
+        "worst": round(float(values.max()), 4),
+        "worst_pair": " to ".join(worst),
+        "left_out": sorted(collection.left_out),
+    }
+    if own:
+        result |= {
+            "matched": len(own),
+            "matched_by_themselves": round(float(np.mean(list(own.values()))), 4),
+            "matched_by_the_collection": round(float(np.mean([errors[pair] for pair in own])), 4),
+        }
+    print(json.dumps(result))
 
 
-def dense_error(collection: Collection, truth: pathlib.Path, a: str, b: str) -> float:
-    """Geodesic, x 100 / sqrt(area of the target), at 1000 points or fewer."""
-    begin, end = (np.loadtxt(truth / f"{name}.vts", dtype=int) - 1 for name in (a, b))
-    some = np.linspace(0, len(begin) - 1, min(len(begin), 1000)).astype(int)
-    pairs = np.column_stack([begin[some], end[some]])
-    source, target = (cp.read(collection.file(name)) for name in (a, b))
-    return float(cp.evaluate(source, target, collection.map(a, b), pairs, n_threads=1).mean_error)
+def dense_errors(collection: Collection, truth: pathlib.Path) -> tuple[dict[Pair, float], dict[Pair, float]]:
+    """Geodesic, x 100 / sqrt(area), at 1000 points or fewer: of all pairs, and of the own maps of those matched."""
+    points = {name: np.loadtxt(truth / f"{name}.vts", dtype=int) - 1 for name in collection.names}
+    n = len(points[collection.names[0]])
+    some = np.linspace(0, n - 1, min(n, 1000)).astype(int)
+    errors: dict[Pair, float] = {}
+    own: dict[Pair, float] = {}
+    for b in collection.names:
+        target = cp.read(collection.file(b))
+        distance = cp.distances(target, points[b][some], n_threads=1)
+        distance *= 100 / np.sqrt(float(cp.vertex_areas(target).sum()))
+        rows = np.arange(len(some))
+        for a in collection.names:
+            if a != b:
+                begin = points[a][some]
+                errors[a, b] = float(distance[rows, collection.map(a, b)[begin]].mean())
+                image = own_map(collection, a, b)
+                if image is not None:
+                    own[a, b] = float(distance[rows, image[begin]].mean())
+    return errors, own
+
+
+def own_map(collection: Collection, a: str, b: str) -> cp.IntArray | None:
+    """What the pair's own matching gave; only where each vertex is in a triangle, as its numbers are those of these."""
+    keys = [str(collection._member(name)["shape"]) for name in (a, b)]
+    for first, second, side in ((*keys, "forward"), (*reversed(keys), "backward")):
+        found = collection._store.load("pairs", pair_key(first, second, False))
+        if found is not None and "error" not in found:
+            image: cp.IntArray = found[side][0]
+            return image
+    return None
 
 
 def landmark_error(collection: Collection, truth: pathlib.Path, a: str, b: str) -> float:

@@ -25,10 +25,11 @@ def main() -> None:
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--shapes", type=int, default=100)
     parser.add_argument("--detail", type=int, default=2, help="subdivisions of an icosahedron")
+    parser.add_argument("--workers", type=int, default=0, help="processes; 0: one for each processor")
     given = parser.parse_args()
     truth, known = write_shapes(given.folder / "in", given.shapes, given.detail)
     begin = time.monotonic()
-    found = Collection.build(given.folder / "in", given.folder / "out")
+    found = Collection.build(given.folder / "in", given.folder / "out", workers=given.workers)
     result = {"shapes": given.shapes, "vertices": len(found.model.mean), "seconds": round(time.monotonic() - begin, 1)}
     rows = [int(name[5:]) for name in found.names]
     centered = known[rows] - known[rows].mean(axis=0)

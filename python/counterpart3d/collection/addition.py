@@ -23,7 +23,7 @@ from .procrustes import aligned_to, moved, size_of_aligned
 from .quality import Row, row_of, worst_first
 from .report import Shown, write_report
 from .runner import Progress, Runner
-from .shapes import shape_key
+from .shapes import mesh_of, shape_key
 from .specimens import prepared_specimens
 from .statistics import Model, distances_from_mean, outliers
 from .store import Arrays, Store, whole_file
@@ -159,7 +159,7 @@ def _written_specimen(base: Base, file: MeshFile, registration: str, vertices: F
     triangles = base.model.triangles
     shape, fit = base.store.get("shapes", shape_key(file.content)), base.store.get("registrations", registration)
     write((vertices, triangles), base.folder / "meshes" / f"{file.name}.ply")
-    points = template_points(shape["vertices"], vertices, triangles, fit["template_from_scan"])
+    points = template_points(mesh_of(shape), vertices, triangles, fit["template_from_scan"])
     write_map(scattered(points, shape["used"], int(shape["n_in_file"])), base.folder / "maps" / f"{file.name}.txt")
     marks = {}
     for name, p in base.content["points"].items():

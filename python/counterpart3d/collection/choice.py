@@ -122,8 +122,7 @@ def pairs_to_match(
     if settings.pairs == "sequence":
         return graph.pairs_in_time(len(specimens) - (apart is not None), template=root)
     descriptors = np.stack([specimen.shape(store)["descriptor"] for specimen in specimens])
-    center = graph.medoid(descriptors) if root is None else root
-    return graph.sparse_pairs(descriptors, center, settings.seed)
+    return graph.sparse_pairs(descriptors, settings.seed, apart)
 
 
 def strangers_among(n: int, choice: cycles.Choice, confidence: Mapping[Edge, float]) -> dict[int, str]:

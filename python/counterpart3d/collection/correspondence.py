@@ -7,20 +7,20 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from .. import SurfaceMap
+from .. import Mesh, SurfaceMap, vertex_normals
 from .._arrays import FloatArray, IntArray
 from .surfaces import diagonal, nearest_points
 
 STRAY = 0.03  # of the diagonal: a nearest point this far from where the map leads lies on another limb
 
 
-def template_points(vertices: FloatArray, fitted: FloatArray, triangles: IntArray, known: IntArray) -> SurfaceMap:
+def template_points(scan: Mesh, fitted: FloatArray, triangles: IntArray, known: IntArray) -> SurfaceMap:
     """The point of the template for each vertex of a specimen.
 
     Parameters
     ----------
-    vertices : ndarray, (n, 3)
-        The specimen's.
+    scan : Mesh
+        The specimen's, n vertices.
     fitted : ndarray, (n_template, 3)
         The template's mesh on the specimen.
     triangles : ndarray of int32
@@ -28,7 +28,7 @@ def template_points(vertices: FloatArray, fitted: FloatArray, triangles: IntArra
     known : ndarray of int32, (n,)
         A template vertex near it, from matching: it tells limbs apart that touch.
     """
-    triangle, weights, _ = nearest_points(vertices, fitted, triangles)
+    triangle, weights, _ = nearest_points(scan.vertices, fitted, triangles, vertex_normals(scan))
     found = np.einsum("nk,nkd->nd", weights, fitted[triangles[triangle]])
     stray = np.linalg.norm(found - fitted[known], axis=1) > STRAY * diagonal(fitted)
     corner = corners_of(triangles, len(fitted))
@@ -47,6 +47,16 @@ def corners_of(triangles: IntArray, n_vertices: int) -> IntArray:
 def positions(points: SurfaceMap, vertices: FloatArray, triangles: IntArray) -> FloatArray:
     """Where points of triangles are."""
     result: FloatArray = np.einsum("nk,nkd->nd", points.weights, vertices[triangles[points.triangle]])
+    return result
+
+
+def vertices_at(points: SurfaceMap, fitted: FloatArray, triangles: IntArray, scan: Mesh) -> IntArray:
+    """The vertex of a specimen at points of the template, which is fitted to it."""
+    normals = vertex_normals(Mesh(fitted, triangles))
+    triangle, weights, _ = nearest_points(
+        positions(points, fitted, triangles), scan.vertices, scan.triangles, positions(points, normals, triangles)
+    )
+    result: IntArray = scan.triangles[triangle, weights.argmax(axis=1)]
     return result
 
 

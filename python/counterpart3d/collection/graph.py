@@ -13,7 +13,7 @@ Edge = tuple[int, int]
 ALL_PAIRS_UP_TO = 6  # shapes
 ANCHORS_ABOVE, N_ANCHORS = 200, 48
 N_NEIGHBORS = 3
-N_ANCHORS_EACH = 4  # one more than needed: some are held out
+N_NEAREST_EACH = 4  # of a shape beside the graph: one more than needed, as some are held out
 HELD_OUT = 0.1
 
 
@@ -22,17 +22,35 @@ def medoid(descriptors: FloatArray) -> int:
     return int(np.argmin(total_distances(descriptors)))
 
 
-def sparse_pairs(descriptors: FloatArray, center: int, seed: int = 0) -> list[Edge]:
-    """The nearest by descriptor, a random spanning tree, and a star around the center.
+def sparse_pairs(descriptors: FloatArray, seed: int = 0, apart: int | None = None) -> list[Edge]:
+    """The nearest by descriptor, a random spanning tree, and a star around the medoid.
 
     With more than 200 shapes this is done for 48 anchors, spread out by descriptor; every other shape is matched with
-    the four anchors nearest to it: O(N) pairs.
+    the four anchors nearest to it: O(N) pairs. A template that is none of the specimens, `apart`, the last one, is
+    matched with the medoid and the four nearest: the pairs of the others are the same for every template.
     """
-    n = len(descriptors)
+    if apart is None:
+        return _pairs_and_hubs(descriptors, seed)[0]
+    edges, center, hubs = _pairs_and_hubs(descriptors[:apart], seed)
+    return sorted({*edges, _edge(center, apart), *_to_nearest(descriptors, apart, hubs)})
+
+
+def _pairs_and_hubs(descriptors: FloatArray, seed: int) -> tuple[list[Edge], int, list[int]]:
+    """The pairs, the medoid, and the shapes that another may be matched with."""
+    n, center = len(descriptors), medoid(descriptors)
     if n <= ALL_PAIRS_UP_TO:
-        return all_pairs(n)
-    if n > ANCHORS_ABOVE:
-        return _anchored_pairs(descriptors, center, seed)
+        return all_pairs(n), center, list(range(n))
+    if n <= ANCHORS_ABOVE:
+        return _near_and_random(descriptors, center, seed), center, list(range(n))
+    anchors = spread_out(descriptors, N_ANCHORS, center)
+    edges = {_edge(anchors[i], anchors[j]) for i, j in _near_and_random(descriptors[anchors], 0, seed)}
+    for i in np.setdiff1d(np.arange(n), anchors):
+        edges |= _to_nearest(descriptors, int(i), anchors)
+    return sorted(edges), center, anchors
+
+
+def _near_and_random(descriptors: FloatArray, center: int, seed: int) -> list[Edge]:
+    n = len(descriptors)
     distance = distances_between(descriptors, descriptors)
     np.fill_diagonal(distance, np.inf)
     nearest = np.argsort(distance, axis=1, kind="stable")[:, :N_NEIGHBORS]
@@ -42,6 +60,11 @@ def sparse_pairs(descriptors: FloatArray, center: int, seed: int = 0) -> list[Ed
     random = np.random.default_rng(seed + 1)
     edges |= {_edge(int(order[i]), int(order[random.integers(i)])) for i in range(1, n)}
     return sorted(edges)
+
+
+def _to_nearest(descriptors: FloatArray, i: int, others: list[int]) -> set[Edge]:
+    distance = np.linalg.norm(descriptors[others] - descriptors[i], axis=1)
+    return {_edge(i, others[k]) for k in np.argsort(distance, kind="stable")[:N_NEAREST_EACH]}
 
 
 def all_pairs(n: int) -> list[Edge]:
@@ -99,16 +122,6 @@ def spread_out(descriptors: FloatArray, count: int, start: int) -> list[int]:
         chosen.append(int(np.argmax(distance)))
         distance = np.minimum(distance, np.linalg.norm(descriptors - descriptors[chosen[-1]], axis=1))
     return chosen
-
-
-def _anchored_pairs(descriptors: FloatArray, center: int, seed: int) -> list[Edge]:
-    anchors = spread_out(descriptors, N_ANCHORS, center)
-    edges = {_edge(anchors[i], anchors[j]) for i, j in sparse_pairs(descriptors[anchors], 0, seed)}
-    others = np.setdiff1d(np.arange(len(descriptors)), anchors)
-    for i in others:
-        distance = np.linalg.norm(descriptors[anchors] - descriptors[i], axis=1)
-        edges |= {_edge(int(i), anchors[k]) for k in np.argsort(distance, kind="stable")[:N_ANCHORS_EACH]}
-    return sorted(edges)
 
 
 def _edge(i: int, j: int) -> Edge:

@@ -15,7 +15,7 @@ from .procrustes import moved
 from .quality import Row
 from .rounds import Registered
 from .settings import Settings
-from .shapes import reflected
+from .shapes import mesh_of, reflected
 from .specimens import Specimen
 from .statistics import Model
 from .store import Arrays, Store
@@ -82,10 +82,8 @@ class Member:
     def template_points(self) -> SurfaceMap:
         """The point of the template for each vertex of its file; -1 for those in no triangle."""
         shape, fit = self.specimen.shape(self.made.store), self.fit()
-        vertices, triangles = shape["vertices"], self.made.registered.triangles
-        if self.mirrored:
-            vertices = vertices * [-1, 1, 1]
-        found = template_points(vertices, fit["vertices"], triangles, fit["template_from_scan"])
+        scan = mesh_of(shape, mirrored=self.mirrored)
+        found = template_points(scan, fit["vertices"], self.made.registered.triangles, fit["template_from_scan"])
         return scattered(found, shape["used"], int(shape["n_in_file"]))
 
 

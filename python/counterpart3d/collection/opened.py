@@ -14,12 +14,12 @@ import numpy as np
 from .. import InvalidInput, Mesh, SurfaceMap
 from .._arrays import FloatArray, IntArray
 from .addition import Base, add
-from .correspondence import nearest_vertices, positions, template_points
+from .correspondence import template_points, vertices_at
 from .engine import build
 from .retrieval import Answer, retrieve
 from .runner import Progress, running
 from .settings import Mirror, Pairs, Settings
-from .shapes import reflected
+from .shapes import mesh_of, reflected
 from .statistics import Model
 from .store import Arrays, Store
 
@@ -152,8 +152,8 @@ class Collection:
         from .made import scattered
 
         shape, fit = self._shape(name), self._fit(name)
-        vertices = shape["vertices"] * ([-1, 1, 1] if self._member(name)["mirrored"] else 1)
-        found = template_points(vertices, fit["vertices"], self.model.triangles, fit["template_from_scan"])
+        scan = mesh_of(shape, mirrored=self._member(name)["mirrored"])
+        found = template_points(scan, fit["vertices"], self.model.triangles, fit["template_from_scan"])
         return scattered(found, shape["used"], int(shape["n_in_file"]))
 
     def map(self, source: str, target: str) -> IntArray:
@@ -161,9 +161,8 @@ class Collection:
         points, mesh, shape = self.template_points(source), self.mesh(target), self._shape(target)
         matched = points.triangle >= 0
         reached = SurfaceMap(points.triangle[matched], points.weights[matched])
-        at = positions(reached, mesh.vertices, self.model.triangles)
         image = np.full(len(points.triangle), -1, np.int32)
-        image[matched] = shape["used"][nearest_vertices(at, shape["vertices"])]
+        image[matched] = shape["used"][vertices_at(reached, mesh.vertices, self.model.triangles, mesh_of(shape))]
         return image
 
     def carry(self, points: Any, source: str, target: str) -> FloatArray:

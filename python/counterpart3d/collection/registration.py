@@ -9,16 +9,17 @@ from scipy.spatial import cKDTree
 
 from .. import Mesh, SurfaceMap, fit, match_spectral, project_map
 from .._arrays import FloatArray, IntArray
+from .folds import PASSES, folded_edges, turned_triangles, unfolded
 from .shapes import mesh_of, prepared
 from .store import Arrays, Store, compute_once, key_of
-from .surfaces import triangle_normals
+from .surfaces import nearest_points
 
 STIFFNESS = 0.25  # of `fit`: at 1 the template does not follow what is smaller than its edges, and the map slides
 NEAR = 0.01  # of the diagonal, or half an edge of a coarse template: a scan's vertex this near to the fit is covered
 
 
 def registration_key(template: str, specimen: str, mirrored: bool, start: str) -> str:
-    return key_of("registrations", template, specimen, start, mirrored=mirrored, stiffness=STIFFNESS)
+    return key_of("registrations", template, specimen, start, mirrored=mirrored, stiffness=STIFFNESS, unfolded=PASSES)
 
 
 def register(store: Store, template: str, specimen: str, mirrored: bool, start: tuple[str, str]) -> str | None:
@@ -74,15 +75,20 @@ def registered(store: Store, model: Mesh, scan: Mesh, image: IntArray) -> Arrays
 def fitted(model: Mesh, scan: Mesh, points: SurfaceMap) -> Arrays:
     """The template's mesh on the specimen, smooth, and how well it lies there."""
     found = fit(model, scan, points, stiffness=STIFFNESS, n_threads=1)
-    edges = np.linalg.norm(found.vertices[model.triangles] - found.vertices[model.triangles[:, [1, 2, 0]]], axis=2)
+    triangles = model.triangles
+    vertices, distance = unfolded(model.vertices, found.vertices, triangles), found.distance.copy()
+    moved = (vertices != found.vertices).any(axis=1)
+    if moved.any():
+        distance[moved] = nearest_points(vertices[moved], scan.vertices, scan.triangles)[2]
+    edges = np.linalg.norm(vertices[triangles] - vertices[triangles[:, [1, 2, 0]]], axis=2)
     near = max(NEAR * float(np.linalg.norm(np.ptp(scan.vertices, axis=0))), float(edges.mean()) / 2)
     return {
-        "vertices": found.vertices,
-        "distance": _summary(found.distance),
+        "vertices": vertices,
+        "distance": _summary(distance),
         "scan_distance": _summary(found.scan_distance),
         "coverage": np.array((found.scan_distance <= near).mean()),
-        "turned": np.array(turned_triangles(model, found.vertices)),
-        "folded": np.array(max(found.folded_edges - found.own_folded_edges, 0)),
+        "turned": np.array(turned_triangles(model.vertices, vertices, triangles).mean()),
+        "folded": np.array(max(folded_edges(vertices, triangles) - found.own_folded_edges, 0)),
     }
 
 
@@ -92,15 +98,3 @@ def _summary(distance: FloatArray) -> FloatArray:
     if not len(known):
         return np.full(3, np.nan)
     return np.array([known.mean(), np.percentile(known, 99), known.max()])
-
-
-def turned_triangles(model: Mesh, vertices: FloatArray) -> float:
-    """Share of the triangles that face against those around them, and did not in the template."""
-    before, after = (triangle_normals(v, model.triangles)[0] for v in (model.vertices, vertices))
-    sums = []
-    for normals in (before, after):
-        at_vertex = np.zeros_like(vertices)
-        np.add.at(at_vertex, model.triangles.ravel(), np.repeat(normals, 3, axis=0))
-        sums.append(at_vertex[model.triangles].sum(axis=1))
-    facing = [np.einsum("nd,nd->n", own, around) for own, around in zip((before, after), sums, strict=True)]
-    return float(((facing[0] > 0) & (facing[1] < 0)).mean())

@@ -9,6 +9,8 @@ from scipy.spatial import cKDTree
 
 from .._arrays import FloatArray, IntArray
 
+AWAY = 0.05  # of the diagonal: a triangle that faces away, as that of a limb that touches, counts as so much farther
+
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:
     """Of all triangles, in squared mesh units."""
@@ -40,9 +42,21 @@ def farthest_points(vertices: FloatArray, count: int) -> IntArray:
 
 
 def nearest_points(
-    points: FloatArray, vertices: FloatArray, triangles: IntArray, n_candidates: int = 12
+    points: FloatArray,
+    vertices: FloatArray,
+    triangles: IntArray,
+    normals: FloatArray | None = None,
+    n_candidates: int = 12,
 ) -> tuple[IntArray, FloatArray, FloatArray]:
     """The nearest points of a surface, among its triangles of the nearest centers.
+
+    Parameters
+    ----------
+    points : ndarray, (n, 3)
+    vertices, triangles
+    normals : ndarray, (n, 3), optional
+        Which way the surface faces at each point, or the opposite way at all.
+    n_candidates : int
 
     Returns
     -------
@@ -54,15 +68,20 @@ def nearest_points(
     centers = vertices[triangles].mean(axis=1)
     n_candidates = min(n_candidates, len(triangles))
     candidates = cKDTree(centers).query(points, n_candidates)[1].reshape(len(points), n_candidates)
-    best = np.full(len(points), np.inf)
+    farther = np.zeros(candidates.shape)
+    if normals is not None:
+        facing = np.einsum("nd,nkd->nk", normals, triangle_normals(vertices, triangles)[0][candidates])
+        farther[facing * (np.sign(facing[:, 0]).sum() or 1) < 0] = AWAY * diagonal(vertices)
+    best, least = np.full(len(points), np.inf), np.full(len(points), np.inf)
     triangle = np.zeros(len(points), np.int32)
     weights = np.zeros((len(points), 3))
-    for column in candidates.T:
+    for column, more in zip(candidates.T, farther.T, strict=True):
         found = _on_triangles(points, *(vertices[triangles[column, i]] for i in range(3)))
         at = np.einsum("nk,nkd->nd", found, vertices[triangles[column]])
         distance = np.linalg.norm(points - at, axis=1)
-        better = distance < best
-        best[better], triangle[better], weights[better] = distance[better], column[better], found[better]
+        better = distance + more < least
+        least[better], best[better] = (distance + more)[better], distance[better]
+        triangle[better], weights[better] = column[better], found[better]
     return triangle, weights, best
 
 

@@ -161,13 +161,17 @@ def test_mirror_images_are_found(tmp_path):
     assert ((mirrored.vertices - mirrored.vertices.mean(axis=0)) * normals).sum(axis=1).mean() > 0
 
 
-def test_a_template_gives_its_triangles(made, tmp_path):
+def test_a_template_gives_its_triangles_at_little_cost(made, tmp_path):
     base = cp.deform(cp.make_icosphere(2), warp=0.3, seed=2)
     template, _ = cp.shuffle((base.vertices * [1, 1.4, 0.8], base.triangles), 77)
     cp.write(template, tmp_path / "model.ply")
     found = rebuilt(made, tmp_path, template=tmp_path / "model.ply", rounds=1)
     assert np.array_equal(found.model.triangles, template.triangles)
     assert found.names == NAMES
+    matched = [len(list((folder / "work" / "pairs").iterdir())) for folder in (made[0].folder, found.folder)]
+    assert 0 < matched[1] - matched[0] <= 5
+    Collection.build(made[1], tmp_path / "out", template=made[1] / "shape4.ply", rounds=1, **QUICK)
+    assert len(list((tmp_path / "out" / "work" / "pairs").iterdir())) == matched[1]
 
 
 def test_size_belongs_to_the_shape_on_request(made, tmp_path):

@@ -157,6 +157,17 @@ def test_nearest_points():
     assert (weights >= -1e-12).all() and np.allclose(weights.sum(axis=1), 1)
 
 
+@pytest.mark.parametrize("side", [1, -1])
+def test_nearest_points_stay_on_the_limb_that_faces_as_they_do(side):
+    ball = cp.make_icosphere(3)
+    vertices = np.vstack([ball.vertices, np.add(ball.vertices, [2.001, 0, 0])])
+    triangles = np.vstack([ball.triangles, ball.triangles + ball.n_vertices])
+    points = ball.vertices * 1.02  # those near the other ball lie in it
+    first = [nearest_points(points, vertices, triangles, normals)[0] for normals in (None, side * ball.vertices)]
+    assert (first[0] >= ball.n_triangles).any()
+    assert (first[1] < ball.n_triangles).all()
+
+
 def test_farthest_points_are_spread():
     points = cp.make_icosphere(3).vertices
     chosen = farthest_points(points, 30)

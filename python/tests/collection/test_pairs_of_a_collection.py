@@ -26,20 +26,32 @@ def is_connected(n, edges):
 @pytest.mark.parametrize("n", [2, 7, 40, 200, 201, 600])
 def test_few_pairs_that_connect_all(n):
     descriptors = np.random.default_rng(n).normal(size=(n, 5))
-    edges = sparse_pairs(descriptors, medoid(descriptors))
+    edges = sparse_pairs(descriptors)
     assert all(0 <= i < j < n for i, j in edges) and len(set(edges)) == len(edges)
     assert len(edges) <= min(5 * n, n * (n - 1) // 2)
     assert is_connected(n, edges)
     if n >= 7:
         assert is_connected(n, sorted(set(edges) - set(held_out(edges, n))))
-    assert edges == sparse_pairs(descriptors, medoid(descriptors))
+    assert edges == sparse_pairs(descriptors)
 
 
 def test_a_tenth_is_held_out():
     descriptors = np.random.default_rng(0).normal(size=(60, 5))
-    edges = sparse_pairs(descriptors, 0)
+    edges = sparse_pairs(descriptors)
     out = held_out(edges, 60)
     assert set(out) <= set(edges) and 0.08 < len(out) / len(edges) < 0.12
+
+
+@pytest.mark.parametrize("n", [2, 7, 40, 201])
+def test_another_template_needs_few_new_pairs(n):
+    random = np.random.default_rng(n)
+    descriptors = random.normal(size=(n, 5))
+    edges = set(sparse_pairs(descriptors))
+    for _ in range(3):
+        with_template = set(sparse_pairs(np.vstack([descriptors, random.normal(size=5)]), apart=n))
+        new = sorted(with_template - edges)
+        assert edges <= with_template and min(n, 4) <= len(new) <= 5 and all(j == n for _, j in new)
+        assert n < 3 or set(new) & on_a_cycle(sorted(with_template))
 
 
 def on_a_cycle(edges):
@@ -55,7 +67,7 @@ def on_a_cycle(edges):
 @pytest.mark.parametrize("n", [60, 250, 600, 2000])
 def test_the_pairs_that_are_seen_keep_their_cycles(n):
     descriptors = np.random.default_rng(n).normal(size=(n, 5))
-    edges = sparse_pairs(descriptors, medoid(descriptors))
+    edges = sparse_pairs(descriptors)
     out = set(held_out(edges, n))
     seen = [edge for edge in edges if edge not in out]
     cycles = on_a_cycle(seen)
