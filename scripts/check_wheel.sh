@@ -37,7 +37,7 @@ check_windows() {
   needed=$(objdump -p "$module" "$program" | sed -n 's/.*DLL Name: //p' | sort -uf)
   local own='api-ms-win-crt-.*|kernel32|ntdll|shell32|advapi32|psapi|user32|ws2_32|python3[0-9]*'
   [ -z "$(grep -viE "^($own)\.dll$" <<< "$needed")" ] || fail "needs ${needed//$'\n'/, }"
-  objdump -p "$module" | grep -q PyInit__core || fail "the module has no entry"
+  objdump -p "$module" | grep PyInit__core > /dev/null || fail "the module has no entry"
   echo "needs: ${needed//$'\n'/, }"
 }
 
