@@ -4,10 +4,11 @@
 """collection_large.py SPECIMENS FOLDER [--shapes 500] [--vertices 4000] [--kills 2]: a collection of hundreds.
 
 SPECIMENS holds meshes in about one frame with landmarks set by hand, NAME.ply and NAME.mrk.json. Each shape is one of
-them with fewer vertices of its own choice, other triangles, bent by two known modes, in an order and a place of its own.
-Needs fast-simplification. The program is killed `--kills` times with all its processes and begun again. Prints one JSON line: seconds, seconds of a
-processor, the client's largest memory, bytes on disk, how the scores go with the known ones (correlation, after a linear
-map of the first modes), landmarks carried between specimens (in units of SPECIMENS).
+them with fewer vertices of its own choice, other triangles, bent by two known modes, in an order and a place of its
+own. Needs fast-simplification. The program is killed `--kills` times with all its processes and begun again. Prints
+one JSON line: seconds, seconds of a processor, the client's largest memory, bytes on disk, how the scores go with the
+known ones (correlation, after a linear map of the first modes), landmarks carried between specimens (in units of
+SPECIMENS).
 """
 
 import argparse
@@ -74,7 +75,9 @@ def write_shapes(
         inside = mesh.vertices[finite]
         center, size = inside.mean(axis=0), np.ptp(inside, axis=0).max()
         turn, unit = scipy.spatial.transform.Rotation.random(random_state=random), random.uniform(0.5, 2)
-        bent, at = (unit * turn.apply(bend((x - center) / size, scores)) for x in (np.nan_to_num(mesh.vertices), points))
+        bent, at = (
+            unit * turn.apply(bend((x - center) / size, scores)) for x in (np.nan_to_num(mesh.vertices), points)
+        )
         coarse = fast_simplification.simplify(bent, triangles, target_count=2 * n_vertices)
         cp.shuffle(coarse, i)[0].save(folder / f"shape{i}.ply")
         landmarks.append(at)
