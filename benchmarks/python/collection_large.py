@@ -69,7 +69,7 @@ def write_shapes(
     for i, scores in enumerate(known):
         source, random = sources[i % len(sources)], np.random.default_rng(i + 1)
         mesh = cp.read(source)
-        finite = np.isfinite(mesh.vertices).all(axis=1)
+        finite = np.asarray(np.isfinite(mesh.vertices).all(axis=1))
         triangles = mesh.triangles[finite[mesh.triangles].all(axis=1)]
         points = np.array(list(cp.read_landmarks(source.with_suffix(".mrk.json")).points.values()))
         inside = mesh.vertices[finite]
