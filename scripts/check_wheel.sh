@@ -41,6 +41,15 @@ check_windows() {
   echo "needs: ${needed//$'\n'/, }"
 }
 
+# macOS: what its loader knows by the first four bytes, 64 bits. Zig adds nothing but the system's one library.
+check_macos() {
+  local file
+  for file in "$module" "$program"; do
+    [ "$(head -c 4 "$file" | od -An -tx1)" = " cf fa ed fe" ] || fail "$(basename "$file") is no program or library of macOS"
+  done
+  grep -q _PyInit__core "$module" || fail "the module has no entry"
+}
+
 bytes=$(stat -c %s "$wheel")
 echo "$(basename "$wheel"): $((bytes / 1000)) kB; module $(($(stat -c %s "$module") / 1000)) kB"
 [ "$bytes" -le $((max_megabytes * 1000000)) ] || fail "more than $max_megabytes MB"
@@ -56,6 +65,7 @@ esac
 case $wheel in
   *manylinux*) check_linux ;;
   *win_amd64*) check_windows ;;
+  *macosx*) check_macos ;;
 esac
 [ -n "$python" ] || { echo "$(basename "$wheel"): not run here"; exit; }
 
