@@ -267,6 +267,7 @@ PartialResult match_partial(MeshView source, MeshView target, const PartialOptio
         PartialResult result =
             match_partial(source, mirror_image(target, options.up, options.facing), of_image);
         result.mirrored = true;
+        result.gain_in_mirror = 0 - result.gain_in_mirror;  // of the target as given, and never -0
         return result;
     }
     return with_progress(options.progress, [&](const ProgressRange& progress) {

@@ -134,6 +134,11 @@ TEST_F(MatchPartial, PartsThatOverlap) {
     const VertexMap on_other = compose_maps(result.target_from_source, b.whole_from_part);
     EXPECT_LT(error(on_other, a.whole_from_part), 1.75);  // unfinished: 2.11
     EXPECT_EQ(match_partial(b.mesh, a.mesh, known).source_from_target, result.target_from_source);
+    PartialOptions in_mirror = known;
+    in_mirror.mirrored = true;
+    const PartialResult back = match_partial(a.mesh, test::mirrored(b.mesh), in_mirror);
+    EXPECT_LT(result.gain_in_mirror, -0.005);
+    EXPECT_NEAR(back.gain_in_mirror, -result.gain_in_mirror, 0.005);
 }
 
 TEST_F(MatchPartial, TwoThatShowTheSameRegionAreWhole) {
