@@ -46,7 +46,8 @@ def main() -> None:
     found = Collection(out)
     rows = [int(name[5:]) for name in found.names]
     centered = known[rows] - known[rows].mean(axis=0)
-    scores = found.model.scores[:, :20]
+    # Of few shapes as many scores would follow any numbers.
+    scores = found.model.scores[:, : max(1, min(20, len(rows) // 5))]
     predicted = scores @ np.linalg.lstsq(scores, centered, rcond=None)[0]
     result |= {
         "vertices": len(found.model.mean),
