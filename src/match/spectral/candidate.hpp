@@ -15,7 +15,6 @@ struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
     Scores scores;
-    bool was_flipped = false;  // its sign flips have been tried
 
     double rank() const {
         return std::isnan(scores.total) ? -std::numeric_limits<double>::infinity() : scores.total;

@@ -26,29 +26,25 @@ Eigen::MatrixXd unit_columns(Eigen::MatrixXd m) {
     return m;
 }
 
-// Coefficients of a shape's descriptors: wave kernel and curvature.
-Eigen::MatrixXd descriptor_coefficients(const PreparedShape& shape, int k, const CandidateTuning& tuning) {
+// Coefficients of a shape's curvature.
+Eigen::MatrixXd curvature_coefficients(const PreparedShape& shape, int k, const CandidateTuning& tuning) {
     const Eigen::MatrixXd dual =
         shape.basis.eigenfunctions.leftCols(k).transpose() * shape.basis.mass.asDiagonal();
-    const Eigen::MatrixXd wave = unit_columns(dual * shape.wave_kernel) * tuning.wave_kernel_weight;
-    const Eigen::MatrixXd curvature = unit_columns(dual * shape.curvature) * tuning.curvature_weight;
-    Eigen::MatrixXd all(k, wave.cols() + curvature.cols());
-    all << wave, curvature;
-    return all;
+    return unit_columns(dual * shape.curvature) * tuning.curvature_weight;
 }
 
 // The same, followed by those of heat kernels at the given vertices.
-Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& descriptors, const PreparedShape& shape,
+Eigen::MatrixXd with_heat_kernels(const Eigen::MatrixXd& curvature, const PreparedShape& shape,
                                   const std::vector<Index>& vertices, const std::vector<double>& times) {
-    const Eigen::Index k = descriptors.rows();
+    const Eigen::Index k = curvature.rows();
     Eigen::MatrixXd heat(k, static_cast<Eigen::Index>(vertices.size() * times.size()));
     Eigen::Index column = 0;
     for (const Index v : vertices)
         for (const double t : times)
             heat.col(column++) = shape.basis.eigenfunctions.row(v).head(k).transpose().array() *
                                  (-t * shape.basis.eigenvalues.head(k).array()).exp();
-    Eigen::MatrixXd all(k, descriptors.cols() + heat.cols());
-    all << descriptors, unit_columns(heat);
+    Eigen::MatrixXd all(k, curvature.cols() + heat.cols());
+    all << curvature, unit_columns(heat);
     return all;
 }
 
@@ -68,22 +64,21 @@ class CandidateSearch {
     void add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain);
     void add_reoriented();
     void add_extrinsic();
-    void add_flipped(std::size_t n_flipped);
+    void add_flipped();
     std::vector<Candidate> best(std::size_t count);
 
   private:
     Beginning begin(const PairedFunctionalMaps& start) const;
     Candidate grow(Beginning beginning) const;
     void add_grown(std::vector<Beginning> beginnings);
-    std::vector<Beginning> flips(std::size_t n_flipped);
-    std::vector<Beginning> unknown(std::vector<Beginning> beginnings);
+    std::vector<Beginning> flips() const;
+    std::vector<Beginning> distinct(std::vector<Beginning> beginnings) const;
 
     const SampledPair& pair_;
     const CandidateTuning& tuning_;
     const ProgressRange progress_;
     const MapDistance distance_;
     std::vector<Candidate> candidates_;
-    std::vector<PairedMaps> known_flips_;
 };
 
 Beginning CandidateSearch::begin(const PairedFunctionalMaps& start) const {
@@ -130,13 +125,13 @@ PairedFunctionalMaps fitted_both_ways(const PreparedShape& a, const PreparedShap
     return {fit(a, b, known), fit(b, a, reversed(known))};
 }
 
-// Functional maps fitted to descriptors and heat kernels at the anchors, each with operators there that tell
+// Functional maps fitted to curvature and heat kernels at the anchors, each with operators there that tell
 // it from its mirror image, and if `plain` without them too.
 void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain) {
     const PreparedShape &a = pair_.a, &b = pair_.b;
     const int k = std::min({tuning_.first_size, a.basis.size(), b.basis.size()});
-    const Eigen::MatrixXd descriptors_a = descriptor_coefficients(a, k, tuning_),
-                          descriptors_b = descriptor_coefficients(b, k, tuning_);
+    const Eigen::MatrixXd curvature_a = curvature_coefficients(a, k, tuning_),
+                          curvature_b = curvature_coefficients(b, k, tuning_);
     std::vector<Beginning> beginnings(2 * anchors.size());
     parallel_for(anchors.size(), 1, [&](std::size_t i) {
         std::vector<Index> on_a, on_b;
@@ -144,8 +139,8 @@ void CandidateSearch::add_from_anchors(const std::vector<VertexPairs>& anchors, 
             on_a.push_back(va);
             on_b.push_back(vb);
         }
-        const KnownFunctions known{with_heat_kernels(descriptors_a, a, on_a, tuning_.heat_times),
-                                   with_heat_kernels(descriptors_b, b, on_b, tuning_.heat_times), anchors[i]};
+        const KnownFunctions known{with_heat_kernels(curvature_a, a, on_a, tuning_.heat_times),
+                                   with_heat_kernels(curvature_b, b, on_b, tuning_.heat_times), anchors[i]};
         if (plain) beginnings[2 * i] = begin(fitted_both_ways(a, b, known));
         if (!anchors[i].empty()) beginnings[2 * i + 1] = begin(fitted_both_ways(a, b, known, tuning_));
     });
@@ -189,14 +184,10 @@ PairedFunctionalMaps flipped(const PairedFunctionalMaps& maps, int column) {
     return result;
 }
 
-// Of the best candidates that were not varied before.
-std::vector<Beginning> CandidateSearch::flips(std::size_t n_flipped) {
+// Of the first candidates.
+std::vector<Beginning> CandidateSearch::flips() const {
     std::vector<std::pair<std::size_t, int>> flips;
-    std::size_t n_chosen = 0;
-    for (std::size_t i = 0; i < candidates_.size() && n_chosen < n_flipped; ++i) {
-        if (candidates_[i].was_flipped) continue;
-        candidates_[i].was_flipped = true;
-        ++n_chosen;
+    for (std::size_t i = 0; i < std::min(candidates_.size(), tuning_.n_flipped); ++i) {
         const MatrixF& map = candidates_[i].functional.a_from_b;
         const auto last =
             static_cast<int>(std::min({Eigen::Index{tuning_.last_flip}, map.rows() - 1, map.cols() - 1}));
@@ -209,27 +200,21 @@ std::vector<Beginning> CandidateSearch::flips(std::size_t n_flipped) {
     return beginnings;
 }
 
-// Those unlike all flips before, which they join.
-std::vector<Beginning> CandidateSearch::unknown(std::vector<Beginning> beginnings) {
-    std::vector<Beginning> fresh;
+// Those that are all different.
+std::vector<Beginning> CandidateSearch::distinct(std::vector<Beginning> beginnings) const {
+    std::vector<Beginning> kept;
     for (Beginning& beginning : beginnings) {
-        const bool is_new =
-            std::all_of(known_flips_.begin(), known_flips_.end(), [&](const PairedMaps& other) {
-                return distance_(beginning.maps, other) >= tuning_.min_new_difference;
-            });
-        if (!is_new) continue;
-        known_flips_.push_back(beginning.maps);
-        fresh.push_back(std::move(beginning));
+        const bool is_new = std::all_of(kept.begin(), kept.end(), [&](const Beginning& other) {
+            return distance_(beginning.maps, other.maps) >= tuning_.min_new_difference;
+        });
+        if (is_new) kept.push_back(std::move(beginning));
     }
-    return fresh;
+    return kept;
 }
 
-void CandidateSearch::add_flipped(std::size_t n_flipped) {
-    for (int round = 0; round < tuning_.n_flip_rounds; ++round) {
-        progress_.reach(static_cast<double>(round) / tuning_.n_flip_rounds);
-        add_grown(unknown(flips(n_flipped)));
-        keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
-    }
+void CandidateSearch::add_flipped() {
+    add_grown(distinct(flips()));
+    keep_distinct(candidates_, distance_, tuning_.distinct, tuning_.n_pool);
 }
 
 // All of them different.
@@ -276,10 +261,9 @@ std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count
 }
 
 std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,
-                                       std::size_t n_flipped, const CandidateTuning& tuning,
-                                       const ProgressRange& progress) {
+                                       const CandidateTuning& tuning, const ProgressRange& progress) {
     CandidateSearch search(pair, tuning, progress, std::move(started));
-    search.add_flipped(n_flipped);
+    search.add_flipped();
     search.add_reoriented();
     return search.best(tuning.n_pool);
 }

@@ -19,10 +19,9 @@ std::vector<Candidate> start_candidates(const SampledPair& pair, const Candidate
 std::vector<Candidate> few_candidates(const SampledPair& pair, std::size_t count,
                                       const CandidateTuning& tuning);
 
-/// Stage 2.4. Those, the first `n_flipped` and then the best varied by sign flips, and started anew from
-/// their own tips; best first, all different.
+/// Stage 2.4. Those, the first of them varied by sign flips, and the best started anew from their own tips;
+/// best first, all different.
 std::vector<Candidate> vary_candidates(const SampledPair& pair, std::vector<Candidate> started,
-                                       std::size_t n_flipped, const CandidateTuning& tuning,
-                                       const ProgressRange& progress = {});
+                                       const CandidateTuning& tuning, const ProgressRange& progress = {});
 
 }  // namespace counterpart::spectral_match

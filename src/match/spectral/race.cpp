@@ -31,7 +31,6 @@ class Race {
         const std::vector<double> ranks = enter(proposals, tuning_.n_first, progress_.part(0.2, 0.4));
         contenders_.first_score = contenders_.leader().rank();
         if (!is_decided(progress_.part(0.4, 0.45))) {
-            in_doubt_ = contenders_.leader().rank() < tuning_.doubtful_score;
             watch_.lap("race");
             vary(std::move(proposals), ranks);
             halve();
@@ -105,19 +104,18 @@ class Race {
                          [&](std::size_t i, std::size_t j) { return ranks[i] > ranks[j]; });
         std::vector<Candidate> leaders_first;
         for (const std::size_t i : order) leaders_first.push_back(std::move(proposals[i]));
-        proposals = vary_candidates(few_, std::move(leaders_first),
-                                    in_doubt_ ? tuning_.n_flipped_in_doubt : tuning_.n_flipped,
-                                    level_.tuning.candidates, progress_.part(0.45, 0.55));
+        proposals = vary_candidates(few_, std::move(leaders_first), level_.tuning.candidates,
+                                    progress_.part(0.45, 0.55));
         watch_.lap("proposals");
-        enter(proposals, in_doubt_ ? tuning_.n_varied_in_doubt : tuning_.n_varied, progress_.part(0.55, 0.7));
+        enter(proposals, tuning_.n_varied, progress_.part(0.55, 0.7));
     }
 
     void halve() {
-        keep(in_doubt_ ? tuning_.after_first_in_doubt : tuning_.after_first);
+        keep(tuning_.after_first);
         std::vector<Start> starts;
         for (const Map& map : contenders_.in_race) starts.push_back({map, tuning_.second});
         contenders_.in_race = refine_all(level_, starts, progress_.part(0.7, 0.85));
-        keep(in_doubt_ ? tuning_.after_second_in_doubt : tuning_.after_second);
+        keep(tuning_.after_second);
         if (contenders_.in_race.size() > 1) again(progress_.part(0.85, 1));
         keep(tuning_.last);
     }
@@ -134,7 +132,6 @@ class Race {
     Stopwatch& watch_;
     const SampledPair few_;  // on which proposals are made
     const MapDistance between_few_, between_all_;
-    bool in_doubt_ = false;         // nothing fits well yet
     std::vector<PairedMaps> seen_;  // proposals that have entered
     Contenders contenders_;
 };

@@ -91,19 +91,18 @@ ExtraCoordinates features(const Level& level, const Schedule& schedule, const Gu
             of(level.b, guides_b, &PriorPair::from_b, guides.directions_b)};
 }
 
-// Nearest by spectral coordinates and the given ones, near the guess.
+// Nearest by spectral coordinates and the given ones, within one or two rings of cells around the guess, or
+// of 0 anywhere.
 PairedMaps partners(const Level& level, const PairedFunctionalMaps& functional, const PairedMaps& guess,
                     int rings, const ExtraCoordinates& extra, const ProgressRange& progress) {
     const LevelShape &a = level.a, &b = level.b;
     const PairCoordinates at_points = pair_coordinates(a.shape.all, b.shape.all, functional, extra);
-    Cells::Lists far_a, far_b;
-    if (rings > 2) far_a = a.cells.near(rings), far_b = b.cells.near(rings);
-    const Cells::Lists &near_a = rings > 2    ? far_a
-                                 : rings == 2 ? a.two_rings
-                                              : a.one_ring,
-                       &near_b = rings > 2    ? far_b
-                                 : rings == 2 ? b.two_rings
-                                              : b.one_ring;
+    if (rings == 0) {
+        BestPartners all = best_partners(at_points.a, at_points.b, at_points.half_a, at_points.half_b);
+        return pinned({std::move(all.of_row), std::move(all.of_column)}, level.pair.priors.pins());
+    }
+    const Cells::Lists &near_a = rings == 2 ? a.two_rings : a.one_ring,
+                       &near_b = rings == 2 ? b.two_rings : b.one_ring;
     PairedMaps found;
     found.b_from_a = nearest_nearby(a.cells, b.cells, near_b, at_points.a, at_points.b, at_points.half_b,
                                     guess.b_from_a, progress);

@@ -103,11 +103,10 @@ struct ScoreWeights {
 struct CandidateTuning {
     ExtremityTuning extremities;
     ExtrinsicTuning extrinsic;
-    std::size_t n_samples = 300;      ///< points on which proposals are grown
-    double rigidity_radius = 0.3;     ///< of neighborhoods that should move rigidly
-    int first_size = 20;              ///< eigenfunctions of the map fitted to descriptors and extremities
-    double wave_kernel_weight = 0.2;  ///< of each column, against 1 for a heat kernel at an extremity
-    double curvature_weight = 0.3;    ///< likewise
+    std::size_t n_samples = 300;    ///< points on which proposals are grown
+    double rigidity_radius = 0.3;   ///< of neighborhoods that should move rigidly
+    int first_size = 20;            ///< eigenfunctions of the map fitted to descriptors and extremities
+    double curvature_weight = 0.3;  ///< of each column, against 1 for a heat kernel at an extremity
     std::vector<double> heat_times{0.005, 0.02, 0.06};
     double orientation_weight =
         0.1;  ///< of the operators at extremities that tell a map from its mirror image
@@ -115,7 +114,7 @@ struct CandidateTuning {
     std::size_t n_reoriented = 8;       ///< proposals whose tips give another start
     int last_size = 30, size_step = 5;  ///< eigenfunctions that proposals are grown to by ZoomOut
     ScoreWeights score{2, 0.15, 2.5, 0, 0.7};
-    int n_flip_rounds = 2;               ///< rounds in which low columns of the best are negated
+    std::size_t n_flipped = 16;          ///< proposals whose low columns are negated
     int first_flip = 5, last_flip = 17;  ///< columns, one at a time
     double min_new_difference = 0.03;    ///< flips that begin closer than this to an earlier one are dropped
     Distinctness distinct{.mean = 0.05};
@@ -163,7 +162,7 @@ struct Schedule {
     float relief_weight = 0;     ///< of fine relief, of variance 1
     float landmark_weight = 40;  ///< of nearness to a landmark; 0: they need not be followed
     /// Eigenfunctions by which the map of samples is spread over all vertices first, within so many rings of
-    /// cells; 0: the map of vertices goes on.
+    /// cells, 0: anywhere. Of 0 functions the map of vertices goes on.
     int start_size = 80;
     int start_rings = 2;
 };
@@ -197,7 +196,6 @@ struct RaceTuning {
     /// The race is over after the first schedule where the best map is so far ahead of the next one, and then
     /// reaches so much by the second schedule.
     double sure_lead = 0.05, sure_score = 1.2;
-    std::size_t n_flipped = 8;  ///< leaders whose low columns are negated
     Heat after_first{8, 0.15}, after_second{4, 0.1}, last{3, 0.1};
     Schedule second{.n_rounds = 6,
                     .first_size = 30,
@@ -205,10 +203,6 @@ struct RaceTuning {
                     .first_length = 0.3,
                     .last_length = 0.08,
                     .islands_from = 3};
-    /// Where the best map has less after the first schedule, nothing fits well yet, and more is tried.
-    double doubtful_score = 0.9;
-    std::size_t n_varied_in_doubt = 24, n_flipped_in_doubt = 24;
-    Heat after_first_in_doubt{14, 0.25}, after_second_in_doubt{8, 0.15};
     /// Maps are the same where they are this close, and in no limb apart.
     Distinctness distinct{.mean = 0.05, .moved_share = 0.05};
 };
@@ -216,23 +210,21 @@ struct RaceTuning {
 /// Stage 4, moves: other matchings of extremities, tried on the leaders of the race.
 struct MoveTuning {
     double good_score = 1.15;  ///< a leader of so much is left as it is
-    double most_apart = 0.6;   ///< there and back, of extremities that may correspond
-    double settled = 0.1;      ///< closer ones keep their partners
-    double bare = 0.15;        ///< nothing goes so near to a bare extremity
-    std::size_t n_bare = 12;   ///< pairs of bare extremities, at most
-    std::size_t n_tried = 8;   ///< other pairs, nearest first
-    int far_rings = 8;         ///< Schedule::start_rings where pairs of bare extremities guide
-    Schedule guided{
-        .n_rounds = 4, .first_size = 30, .last_size = 60, .first_length = 0.3, .last_length = 0.1};
+    double most_apart = 0.6;   ///< there and back, of extremities that a map takes to each other
+    std::size_t n_tried = 4;   ///< other matchings for each map
+    Schedule guided{.n_rounds = 4,
+                    .first_size = 30,
+                    .last_size = 60,
+                    .first_length = 0.3,
+                    .last_length = 0.1,
+                    .start_rings = 0};
     Schedule free{.n_rounds = 3,
                   .first_size = 30,
                   .last_size = 80,
                   .first_length = 0.2,
                   .last_length = 0.08,
                   .islands_from = 2};
-    std::size_t n_joining = 2;  ///< of the maps found, that go on,
-    Heat joining{4, 0.02};      ///< if at most so far behind
-    Heat last{3, 0.06};         ///< before and after the moves
+    Heat after_moves{5, 0.25}, after_second{3, 0.12}, last{3, 0.06};
 };
 
 /// Stage 5, polish.

@@ -61,23 +61,25 @@ TEST_F(SpectralMoves, TheMatchingIsTakenThatFits) {
         EXPECT_GE(found.in_race[i].rank(), found.in_race[i + 1].rank());
 }
 
-TEST_F(SpectralMoves, TipsThatGoToTipsKeepThem) { EXPECT_GT(error(moved({wrong, wrong})), 0.1); }
-
-TEST_F(SpectralMoves, WhatIsTooFarApartIsNotMatched) {
-    tuning.moves.most_apart = 0.1;
-    tuning.moves.bare = 10;
-    EXPECT_GT(error(moved({wrong, right})), 0.05);
+// There and back, so that nothing tells but distances between tips.
+TEST_F(SpectralMoves, LimbsThatAreExchangedAreExchangedBack) {
+    set_rounds(2, 1);
+    const Contenders found = moved({wrong, wrong});
+    EXPECT_LT(error(found), 0.02);
+    EXPECT_GT(found.leader().rank(), map({wrong, wrong}).rank() + 0.1);
+    tuning.moves.n_tried = 0;
+    EXPECT_GT(error(moved({wrong, wrong})), 0.05) << "or this proves nothing";
 }
 
-// Two spikes go to one, there and back: the other one is bare on both sides.
-TEST_F(SpectralMoves, BareExtremitiesAreMatchedHoweverFarApart) {
+// Two spikes go to one, there and back: the other one has no partner on either side.
+TEST_F(SpectralMoves, WhereTwoLimbsGoToOneTheyPart) {
     std::vector<Index> folded = right;
     for (const Index v : right)
         if (shape->mesh.vertices(v, 1) < 0) folded[at(v)] = wrong[at(v)];
     tuning.moves.most_apart = 0.6;
     set_rounds(1, 1);
     EXPECT_LT(error(moved({folded, folded})), 0.01);
-    tuning.moves.bare = 10;  // nothing is
+    tuning.moves.good_score = 0;
     EXPECT_GT(error(moved({folded, folded})), 0.03) << "or this proves nothing";
 }
 
@@ -98,11 +100,6 @@ TEST_F(SpectralMoves, ARightMapStaysRight) {
     EXPECT_GE(moved({right, right}).leader().rank(), map({right, right}).rank());
 }
 
-TEST_F(SpectralMoves, WhatIsFarBehindDoesNotJoin) {
-    tuning.moves.joining.behind = -1;
-    EXPECT_GT(error(moved({wrong, right})), 0.02) << "nothing is so far ahead";
-}
-
 TEST_F(SpectralMoves, ExchangingTheShapesExchangesTheMaps) {
     const Contenders there = moved({wrong, right}), back = moved({right, wrong});
     EXPECT_NEAR(there.leader().rank(), back.leader().rank(), 0.01);
@@ -119,8 +116,7 @@ TEST(SpectralMovesOfLimbs, LandmarksAndDirectionsGuideAsWell) {
     longer.vertices.col(0).minCoeff(&bottom);
     SpectralTuning tuning;
     tuning.moves.most_apart = 0;
-    tuning.moves.bare = 10;
-    tuning.moves.joining.behind = 10;
+    tuning.moves.n_tried = 0;
     tuning.moves.guided.n_rounds = tuning.moves.free.n_rounds = tuning.race.second.n_rounds = 2;
     const auto image_of_tip = [&](const Priors& priors, double good_score) {
         tuning.moves.good_score = good_score;
