@@ -51,23 +51,33 @@ double distortion(const Level& level, const ExtremityPairs& matching) {
     return sum / std::max(n * (n - 1) / 2, 1.0);
 }
 
-// The matching itself, and those nearest to it: two pairs exchange partners, or two extremities that have
-// none become a pair. Of these the least distorted.
+// Of the first `n` extremities of a shape.
+std::vector<int> unmatched(int n, const ExtremityPairs& matching, int std::pair<int, int>::*side) {
+    std::vector<int> result;
+    for (int e = 0; e < n; ++e)
+        if (std::none_of(matching.begin(), matching.end(), [&](const auto& p) { return p.*side == e; }))
+            result.push_back(e);
+    return result;
+}
+
+// The matching itself, and those nearest to it: two pairs exchange partners, an extremity without one takes
+// that of another, or two without become a pair. Of these the least distorted.
 std::vector<ExtremityPairs> neighbors(const Level& level, const ExtremityPairs& matching, std::size_t most) {
+    using Pair = std::pair<int, int>;
+    const std::vector<int> of_a = unmatched(level.a.shape.n_prominent, matching, &Pair::first),
+                           of_b = unmatched(level.b.shape.n_prominent, matching, &Pair::second);
     std::vector<ExtremityPairs> others;
+    const auto another = [&]() -> ExtremityPairs& { return others.emplace_back(matching); };
     for (std::size_t k = 0; k < matching.size(); ++k) {
         for (std::size_t l = 0; l < k; ++l) {
-            others.push_back(matching);
-            std::swap(others.back()[k].second, others.back()[l].second);
+            ExtremityPairs& other = another();
+            std::swap(other[k].second, other[l].second);
         }
+        for (const int i : of_a) another()[k].first = i;
+        for (const int j : of_b) another()[k].second = j;
     }
-    for (int i = 0; i < level.a.shape.n_prominent; ++i) {
-        for (int j = 0; j < level.b.shape.n_prominent; ++j) {
-            if (!are_free(matching, i, j)) continue;
-            others.push_back(matching);
-            others.back().emplace_back(i, j);
-        }
-    }
+    for (const int i : of_a)
+        for (const int j : of_b) another().emplace_back(i, j);
     std::stable_sort(others.begin(), others.end(), [&](const auto& x, const auto& y) {
         return distortion(level, x) < distortion(level, y);
     });
