@@ -3,8 +3,10 @@
 #include "io/mtl.hpp"
 
 #include "io/obj_scanner.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -45,12 +47,9 @@ std::map<std::string, std::string> read_material_images(const std::filesystem::p
             if (lines.key_word() == "map_Kd" && !rest.empty()) images[material] = image_name(rest);
         }
     };
-    const std::string text = read_whole_file(obj);
-    for (ObjScanner lines(text, beside.name); lines.next();) {
-        const std::string_view library = lines.text().rest_of_line();
-        if (lines.key_word() != "mtllib" || library.empty()) continue;
+    for (const std::string& library : material_files(obj)) {
         try {
-            read_library(std::string(library));
+            read_library(library);
         } catch (const IoError& error) {
             notices.push_back(fmt::format("materials are not shown: {}", error.what()));
         }
@@ -59,3 +58,17 @@ std::map<std::string, std::string> read_material_images(const std::filesystem::p
 }
 
 }  // namespace counterpart::io
+
+namespace counterpart {
+
+std::vector<std::string> material_files(const std::filesystem::path& obj) {
+    std::vector<std::string> names;
+    const std::string text = read_whole_file(obj);
+    for (io::ObjScanner lines(text, platform::utf8_name(obj)); lines.next();) {
+        const std::string_view name = lines.text().rest_of_line();
+        if (lines.key_word() == "mtllib" && !name.empty()) names.emplace_back(name);
+    }
+    return names;
+}
+
+}  // namespace counterpart
