@@ -10,8 +10,8 @@
 
 namespace counterpart::base {
 
-/// SplitMix64: one seed gives the same sequence with every compiler and standard
-/// library, which the distributions of `<random>` do not guarantee.
+/// SplitMix64: one seed gives the same sequence with every compiler and standard library, which the
+/// distributions of `<random>` do not guarantee.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
