@@ -5,9 +5,9 @@
 #include "files.hpp"
 
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 namespace counterpart::cli {
@@ -21,12 +21,9 @@ Index n_parts(const AttributedMesh& content) {
 void carry_material_files(const fs::path& from, const fs::path& to) {
     if (lower_extension(from) != ".obj" || lower_extension(to) != ".obj" || !fs::is_regular_file(to)) return;
     const fs::path folder = fs::absolute(to).parent_path();
-    std::istringstream lines(read_whole_file(from));
     std::string carried;
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("mtllib ")) continue;
-        const std::size_t last = line.find_last_not_of(" \t\r");
-        const fs::path name = platform::path_of(line.substr(7, last - 6));
+    for (const std::string& library : material_files(from)) {
+        const fs::path name = platform::path_of(library);
         const fs::path file = fs::absolute(from).parent_path() / name;  // an absolute name stays
         carried += "mtllib " + utf8_name(name.is_absolute() ? name : file.lexically_proximate(folder)) + "\n";
     }

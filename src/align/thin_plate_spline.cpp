@@ -67,8 +67,4 @@ Matrix ThinPlateSpline::operator()(const Matrix& points) const {
     return result;
 }
 
-double ThinPlateSpline::bending_energy() const {
-    return (weights_.transpose() * align::spline_kernel(controls_, controls_) * weights_).trace();
-}
-
 }  // namespace counterpart

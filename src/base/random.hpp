@@ -2,25 +2,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/hash_mixing.hpp"
+
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace counterpart::base {
 
-/// SplitMix64 (Steele, Lea, Flood 2014): one seed gives the same sequence with every compiler and standard
-/// library, which the distributions of `<random>` do not guarantee.
+/// SplitMix64: one seed gives the same sequence with every compiler and standard library, which the
+/// distributions of `<random>` do not guarantee.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
 
     /// Uniform over all 64-bit values.
-    std::uint64_t next() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return z ^ (z >> 31);
-    }
+    std::uint64_t next() { return finalized(state_ += golden_step); }
 
     /// Uniform in [0, 1).
     double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }

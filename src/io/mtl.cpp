@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/mtl.hpp"
 
-#include "io/text_cursor.hpp"
+#include "io/obj_scanner.hpp"
+#include "platform/files.hpp"
 
 #include <counterpart/io/file.hpp>
+#include <counterpart/io/mesh_file.hpp>
 
 #include <algorithm>
 #include <string_view>
@@ -13,19 +15,6 @@
 
 namespace counterpart::io {
 namespace {
-
-// Calls `take(key word, rest)` for each line that has both.
-template <typename Take>
-void for_each_line(std::string_view text, const Take& take) {
-    text = without_mark(text);
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = stripped(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::size_t key_end = line.find_first_of(" \t");
-        if (key_end != line.npos) take(line.substr(0, key_end), stripped(line.substr(key_end)));
-    }
-}
 
 // The name of the image; options such as "-s 1 1 1" stand before it.
 std::string image_name(std::string_view rest) {
@@ -49,23 +38,37 @@ std::map<std::string, std::string> read_material_images(const std::filesystem::p
                                                         const GltfDocument& beside,
                                                         std::vector<std::string>& notices) {
     std::map<std::string, std::string> images;
-    const auto read_library = [&](std::string_view name) {
+    const auto read_library = [&](const std::string& name) {
+        const std::string text = load_beside(beside, name);
         std::string material;
-        for_each_line(load_beside(beside, std::string(name)),
-                      [&](std::string_view key, std::string_view rest) {
-                          if (key == "newmtl") material = rest;
-                          if (key == "map_Kd") images[material] = image_name(rest);
-                      });
+        for (ObjScanner lines(text, name); lines.next();) {  // they look like those of OBJ
+            const std::string_view rest = lines.text().rest_of_line();
+            if (lines.key_word() == "newmtl") material = lines.text().rest();
+            if (lines.key_word() == "map_Kd" && !rest.empty()) images[material] = image_name(rest);
+        }
     };
-    for_each_line(read_whole_file(obj), [&](std::string_view key, std::string_view rest) {
-        if (key != "mtllib") return;
+    for (const std::string& library : material_files(obj)) {
         try {
-            read_library(rest);
+            read_library(library);
         } catch (const IoError& error) {
             notices.push_back(fmt::format("materials are not shown: {}", error.what()));
         }
-    });
+    }
     return images;
 }
 
 }  // namespace counterpart::io
+
+namespace counterpart {
+
+std::vector<std::string> material_files(const std::filesystem::path& obj) {
+    std::vector<std::string> names;
+    const std::string text = read_whole_file(obj);
+    for (io::ObjScanner lines(text, platform::utf8_name(obj)); lines.next();) {
+        const std::string_view name = lines.text().rest_of_line();
+        if (lines.key_word() == "mtllib" && !name.empty()) names.emplace_back(name);
+    }
+    return names;
+}
+
+}  // namespace counterpart

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "io/formats.hpp"
-#include "io/text_cursor.hpp"
+#include "io/obj_scanner.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/io/obj_reorder.hpp>
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -16,14 +16,9 @@
 namespace counterpart {
 namespace {
 
-// Texture coordinate and normal of one corner, counted from 1; 0 = none.
-struct CornerAttributes {
-    long texture = 0, normal = 0;
-};
-
 struct ObjText {
     std::vector<std::string_view> positions, textures, normals;  // whole lines
-    std::vector<CornerAttributes> corners;                       // of all faces, one after another
+    std::vector<io::ObjRows> corners;                            // of all faces, one after another
     Polygons polygons;                                           // empty: all faces are triangles
 
     Index n_triangles() const {
@@ -31,7 +26,7 @@ struct ObjText {
                                                    : polygons.corners.rows());
     }
     // Of a corner of a triangle, 3 * triangle + corner.
-    const CornerAttributes& at(Index corner) const {
+    const io::ObjRows& at(Index corner) const {
         const Index in_face = polygons.empty() ? corner : polygons.corners.data()[corner];
         return corners[static_cast<std::size_t>(in_face)];
     }
@@ -39,7 +34,7 @@ struct ObjText {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
-// A line and those that continue it after a backslash as one line, as read_obj takes them.
+// Every statement as one line that ends in LF, with the lines that continue it after a backslash.
 std::string with_whole_lines(std::string_view text) {
     std::string result;
     result.reserve(text.size());
@@ -49,6 +44,9 @@ std::string with_whole_lines(std::string_view text) {
         if (text[i] == '\\' && !in_comment && (i + 1 == text.size() || ends_line(text[i + 1]))) {
             i += text.substr(i + 1, 2) == "\r\n" ? 2 : 1;
             result += ' ';
+        } else if (text[i] == '\r') {
+            i += text.substr(i, 2) == "\r\n" ? 1 : 0;
+            result += '\n';
         } else {
             result += text[i];
         }
@@ -56,78 +54,52 @@ std::string with_whole_lines(std::string_view text) {
     return result;
 }
 
-struct Line {
-    std::string_view whole, content;  // with the comment and without
-};
-Line take_line(std::string_view& text) {
-    const auto end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view whole = text.substr(0, end);
-    const bool two = text.substr(end, 2) == "\r\n";
-    text.remove_prefix(std::min(end + (two ? 2 : 1), text.size()));
-    return {whole, whole.substr(0, std::min(whole.find('#'), whole.size()))};
-}
+std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
 
-std::string_view next_word(std::string_view& line) {
-    constexpr const char* blanks = " \t\v\f";
-    const auto begin = line.find_first_not_of(blanks);
-    if (begin == std::string_view::npos) return line = {};
-    const auto end = std::min(line.find_first_of(blanks, begin), line.size());
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
-
-// Negative numbers count back from the last of `count`.
-long resolve(std::string_view digits, std::size_t count) {
-    long number = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return number < 0 ? static_cast<long>(count) + 1 + number : number;
-}
-
-CornerAttributes parse_corner(std::string_view word, const ObjText& obj) {
-    CornerAttributes corner;
-    const auto first = word.find('/');
-    if (first == std::string_view::npos) return corner;
-    const auto second = word.find('/', first + 1);
-    corner.texture = resolve(word.substr(first + 1, second - first - 1), obj.textures.size());
-    if (second != std::string_view::npos)
-        corner.normal = resolve(word.substr(second + 1), obj.normals.size());
-    return corner;
-}
-
-// Rows that the file does not have, as read_obj leaves them out.
-void leave_out_missing(ObjText& obj) {
-    const auto n_textures = static_cast<long>(obj.textures.size()),
-               n_normals = static_cast<long>(obj.normals.size());
-    for (CornerAttributes& corner : obj.corners) {
-        if (corner.texture > n_textures) corner.texture = 0;
-        if (corner.normal > n_normals) corner.normal = 0;
+// Calls body(line, key_word, scanner) for each line, with no key word where it holds nothing or a comment.
+template <class Body>
+void for_each_line(std::string_view text, const Body& body) {
+    io::ObjScanner scanner(text, "reorder_obj");
+    bool has_more = scanner.next();
+    for (int number = 1; !text.empty(); ++number) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        if (has_more && scanner.text().line() == number) {
+            body(line, scanner.key_word(), scanner);
+            has_more = scanner.next();
+        } else {
+            body(line, std::string_view(), scanner);
+        }
     }
+}
+
+// Rows that the file does not have, as read_attributed_obj leaves them out.
+void leave_out_missing(ObjText& obj) {
+    const std::array counts = {std::ssize(obj.textures), std::ssize(obj.normals)};
+    for (io::ObjRows& corner : obj.corners)
+        for (std::size_t k = 0; k < counts.size(); ++k)
+            if (corner[k] >= counts[k]) corner[k] = -1;
 }
 
 ObjText parse(std::string_view text) {
     ObjText obj;
     obj.polygons = io::read_obj(text, "reorder_obj").content.mesh.polygons;
-    while (!text.empty()) {
-        const std::string_view line = take_line(text).content;
-        std::string_view rest = line;
-        const std::string_view word = next_word(rest);
-        if (word == "v") obj.positions.push_back(line);
-        if (word == "vt") obj.textures.push_back(line);
-        if (word == "vn") obj.normals.push_back(line);
-        if (word != "f") continue;
-        for (std::string_view corner = next_word(rest); !corner.empty(); corner = next_word(rest))
-            obj.corners.push_back(parse_corner(corner, obj));
-    }
+    for_each_line(text, [&](std::string_view line, std::string_view key_word, io::ObjScanner& scanner) {
+        if (key_word == "v") obj.positions.push_back(without_comment(line));
+        if (key_word == "vt") obj.textures.push_back(without_comment(line));
+        if (key_word == "vn") obj.normals.push_back(without_comment(line));
+        if (key_word != "f") return;
+        for (const std::string_view rows : scanner.face().rows) obj.corners.push_back(scanner.rows(rows));
+    });
     leave_out_missing(obj);
     return obj;
 }
 
-void append_corner(std::string& bytes, Index vertex, const CornerAttributes& corner) {
+void append_corner(std::string& bytes, Index vertex, const io::ObjRows& corner) {
     bytes += fmt::format(" {}", vertex + 1);
-    if (corner.texture > 0 || corner.normal > 0) bytes += '/';
-    if (corner.texture > 0) bytes += std::to_string(corner.texture);
-    if (corner.normal > 0) bytes += fmt::format("/{}", corner.normal);
+    if (corner[0] >= 0 || corner[1] >= 0) bytes += '/';
+    if (corner[0] >= 0) bytes += std::to_string(corner[0] + 1);
+    if (corner[1] >= 0) bytes += fmt::format("/{}", corner[1] + 1);
 }
 
 class Writer {
@@ -143,27 +115,25 @@ class Writer {
 
     // The source's lines in their order, with what is the target's in the place of what was the source's.
     std::string run(std::string_view source_text) {
-        while (!source_text.empty()) {
-            const Line line = take_line(source_text);
-            std::string_view rest = line.content;
-            const std::string_view word = next_word(rest);
-            if (word == "v") {
-                add_line(target_.positions[static_cast<std::size_t>(map_[n_positions_++])]);
-            } else if (word == "f") {
-                add_attributes();
-                add_face(rest);
-            } else if (word != "vt" && word != "vn" && !is_line_with_texture(word, rest)) {
-                add_line(line.whole);
-            }
-        }
+        for_each_line(
+            source_text, [&](std::string_view line, std::string_view key_word, io::ObjScanner& scanner) {
+                if (key_word == "v") {
+                    add_line(target_.positions[static_cast<std::size_t>(map_[n_positions_++])]);
+                } else if (key_word == "f") {
+                    add_attributes();
+                    add_face(scanner.face().vertices.size());
+                } else if (key_word != "vt" && key_word != "vn" && !is_line_with_texture(line, key_word)) {
+                    add_line(line);
+                }
+            });
         return std::move(bytes_);
     }
 
   private:
     void add_line(std::string_view line) { (bytes_ += line) += '\n'; }
     bool keeps_textures() const { return target_.textures.empty(); }
-    static bool is_line_with_texture(std::string_view word, std::string_view rest) {
-        return (word == "l" || word == "p") && rest.find('/') != std::string_view::npos;
+    static bool is_line_with_texture(std::string_view line, std::string_view key_word) {
+        return (key_word == "l" || key_word == "p") && without_comment(line).find('/') != line.npos;
     }
 
     void add_attributes() {
@@ -173,16 +143,14 @@ class Writer {
         for (const std::string_view line : target_.normals) add_line(line);
     }
 
-    void add_face(std::string_view words) {
-        Index n = 0;
-        while (!next_word(words).empty()) ++n;
+    void add_face(std::size_t n_corners) {
         bytes_ += 'f';
-        for (Index k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < n_corners; ++k) {
             // The triangle's corner that stands for this one.
             const Index at =
                 stands_for_.empty() ? n_corners_ : stands_for_[static_cast<std::size_t>(n_corners_)];
-            CornerAttributes corner = target_.at(corners_.data()[at]);
-            if (keeps_textures()) corner.texture = source_.at(at).texture;
+            io::ObjRows corner = target_.at(corners_.data()[at]);
+            if (keeps_textures()) corner[0] = source_.at(at)[0];
             append_corner(bytes_, triangles_.data()[at], corner);
             ++n_corners_;
         }

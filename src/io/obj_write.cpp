@@ -169,4 +169,19 @@ class ObjWriter {
 
 std::string obj_bytes(const AttributedMesh& content) { return ObjWriter(content).run(); }
 
+std::string obj_bytes(MeshView mesh) {
+    std::string text;
+    for (Index v = 0; v < mesh.n_vertices(); ++v)
+        append_row(text, "v", {mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2)});
+    for_each_face(mesh, [&](Index, std::span<const Index> corners) {
+        text += 'f';
+        for (const Index corner : corners) {
+            text += ' ';
+            append_decimal(text, mesh.triangles.data()[corner] + 1);
+        }
+        text += '\n';
+    });
+    return text;
+}
+
 }  // namespace counterpart::io

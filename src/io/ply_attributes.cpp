@@ -4,6 +4,7 @@
 // What PLY files hold beside the triangles, by the names in use: normals nx ny nz; texture coordinates s t,
 // u v or texture_u texture_v at vertices, `texcoord` at corners of faces; colors red green blue [alpha].
 // They count the second texture coordinate from the image's lower edge.
+#include "base/hash_mixing.hpp"
 #include "io/byte_order.hpp"
 #include "io/corner_rows.hpp"
 #include "io/faces.hpp"
@@ -65,13 +66,9 @@ struct CornerCoordinates {
 };
 struct CornerHash {
     std::size_t operator()(const CornerCoordinates& corner) const {
-        constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
-        auto hash = static_cast<std::uint64_t>(corner.vertex);
-        for (const double number : {corner.u, corner.v}) {
-            hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * odd;
-            hash ^= hash >> 32U;
-        }
-        return static_cast<std::size_t>(hash);
+        const auto of_u = std::bit_cast<std::uint64_t>(corner.u),
+                   of_v = std::bit_cast<std::uint64_t>(corner.v);
+        return static_cast<std::size_t>(mixed(mixed(static_cast<std::uint64_t>(corner.vertex), of_u), of_v));
     }
 };
 

@@ -14,6 +14,7 @@ namespace counterpart::io {
 namespace {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
+constexpr std::string_view blanks = " \t\v\f";
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 // A backslash at the line's end continues the line.
 bool continues_line(const char* at, const char* end) {
@@ -91,13 +92,17 @@ std::string_view TextCursor::word() {
 }
 
 std::string_view TextCursor::rest() {
+    const std::string_view line = rest_of_line();
+    for (std::size_t i = 1; i < line.size(); ++i)
+        if (line[i] == '#' && is_blank(line[i - 1])) return stripped(line.substr(0, i), blanks);
+    return line;
+}
+
+std::string_view TextCursor::rest_of_line() {
     skip_blanks();
     const char* last = at_;
-    while (last < end_ && !ends_line(*last) && !continues_line(last, end_) &&
-           !(*last == '#' && last > at_ && is_blank(last[-1])))
-        ++last;
-    while (last > at_ && is_blank(last[-1])) --last;
-    return {at_, static_cast<std::size_t>(last - at_)};
+    while (last < end_ && !ends_line(*last) && !continues_line(last, end_)) ++last;
+    return stripped({at_, static_cast<std::size_t>(last - at_)}, blanks);
 }
 
 double TextCursor::number(std::string_view what) {

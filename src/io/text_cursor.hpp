@@ -46,6 +46,8 @@ class TextCursor {
     /// All that follows on the line, blanks inside included, as names have them: a comment must have a blank
     /// before it. Stays where it is, since for all else a comment begins, and a line ends, at any '#'.
     std::string_view rest();
+    /// The same with what looks like a comment, as names of files have it.
+    std::string_view rest_of_line();
     /// Gives the last `count` characters of the word just read back.
     void put_back(std::size_t count) { at_ -= count; }
     /// The next character, 0 at the end of the file.

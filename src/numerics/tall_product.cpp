@@ -4,7 +4,7 @@
 
 #include "base/parallel.hpp"
 #include "numerics/simd.hpp"
-#include "numerics/vector_lanes.hpp"
+#include "numerics/widest.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -55,22 +55,24 @@ template <int lanes, int columns>
 }
 
 // Columns [first, last) of a with a group of columns of b: rows of the result, row by row.
-template <int lanes>
-[[gnu::always_inline]] inline void dot_products(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                                Eigen::Index first, Eigen::Index last, double* result) {
-    constexpr int tile = lanes / 2;  // columns whose sums fit in the registers
-    const Eigen::Index stride = a.outerStride();
-    for (Eigen::Index start = 0; start < a.rows(); start += rows_at_a_time) {
-        const Eigen::Index n = std::min(rows_at_a_time, a.rows() - start);
-        Eigen::Index c = first;
-        for (; c + tile <= last; c += tile)
-            add_dot_products<lanes, tile>(a.data() + c * stride + start, stride, b.at(g, start), n,
-                                          result + (c - first) * group);
-        for (; c < last; ++c)
-            add_dot_products<lanes, 1>(a.data() + c * stride + start, stride, b.at(g, start), n,
-                                       result + (c - first) * group);
+struct DotProducts {
+    template <int lanes>
+    [[gnu::always_inline]] static void run(const TallMatrix& a, const Groups& b, Eigen::Index g,
+                                           Eigen::Index first, Eigen::Index last, double* result) {
+        constexpr int tile = lanes / 2;  // columns whose sums fit in the registers
+        const Eigen::Index stride = a.outerStride();
+        for (Eigen::Index start = 0; start < a.rows(); start += rows_at_a_time) {
+            const Eigen::Index n = std::min(rows_at_a_time, a.rows() - start);
+            Eigen::Index c = first;
+            for (; c + tile <= last; c += tile)
+                add_dot_products<lanes, tile>(a.data() + c * stride + start, stride, b.at(g, start), n,
+                                              result + (c - first) * group);
+            for (; c < last; ++c)
+                add_dot_products<lanes, 1>(a.data() + c * stride + start, stride, b.at(g, start), n,
+                                           result + (c - first) * group);
+        }
     }
-}
+};
 
 // Rows of a * b: as many as `n_vectors` vectors hold, of one group of columns.
 template <int lanes, int n_vectors>
@@ -90,74 +92,35 @@ template <int lanes, int n_vectors>
 }
 
 // `n` rows of a * b from `first` on, of one group of columns: column by column.
-template <int lanes>
-[[gnu::always_inline]] inline void combinations(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                                Eigen::Index first, Eigen::Index n, Eigen::MatrixXd& result) {
-    constexpr int n_vectors = lanes == 16 ? 2 : 1;  // as many vectors as the registers hold sums of
-    constexpr Eigen::Index tile = n_vectors * lanes / 2;
-    const Eigen::Index stride = a.outerStride(), first_column = g * group,
-                       n_columns = std::min(group, result.cols() - first_column);
-    double sums[group * tile];
-    Eigen::Index row = first;
-    for (; row + tile <= first + n; row += tile) {
-        combine<lanes, n_vectors>(a.data() + row, stride, b.at(g, 0), a.cols(), sums);
-        for (Eigen::Index j = 0; j < n_columns; ++j)
-            std::copy_n(sums + j * tile, tile, result.data() + (first_column + j) * result.rows() + row);
-    }
-    for (; row < first + n; ++row)
-        for (Eigen::Index j = 0; j < n_columns; ++j) {
-            double sum = 0;
-            for (Eigen::Index k = 0; k < a.cols(); ++k) sum += a.data()[k * stride + row] * b.at(g, k)[j];
-            result(row, first_column + j) = sum;
+struct Combinations {
+    template <int lanes>
+    [[gnu::always_inline]] static void run(const TallMatrix& a, const Groups& b, Eigen::Index g,
+                                           Eigen::Index first, Eigen::Index n, Eigen::MatrixXd& result) {
+        constexpr int n_vectors = lanes == 16 ? 2 : 1;  // as many vectors as the registers hold sums of
+        constexpr Eigen::Index tile = n_vectors * lanes / 2;
+        const Eigen::Index stride = a.outerStride(), first_column = g * group,
+                           n_columns = std::min(group, result.cols() - first_column);
+        double sums[group * tile];
+        Eigen::Index row = first;
+        for (; row + tile <= first + n; row += tile) {
+            combine<lanes, n_vectors>(a.data() + row, stride, b.at(g, 0), a.cols(), sums);
+            for (Eigen::Index j = 0; j < n_columns; ++j)
+                std::copy_n(sums + j * tile, tile, result.data() + (first_column + j) * result.rows() + row);
         }
-}
-
-struct Machine {
-    void (*dot_products)(const TallMatrix&, const Groups&, Eigen::Index, Eigen::Index, Eigen::Index, double*);
-    void (*combinations)(const TallMatrix&, const Groups&, Eigen::Index, Eigen::Index, Eigen::Index,
-                         Eigen::MatrixXd&);
+        for (; row < first + n; ++row)
+            for (Eigen::Index j = 0; j < n_columns; ++j) {
+                double sum = 0;
+                for (Eigen::Index k = 0; k < a.cols(); ++k) sum += a.data()[k * stride + row] * b.at(g, k)[j];
+                result(row, first_column + j) = sum;
+            }
+    }
 };
-
-void dot_products_4(const TallMatrix& a, const Groups& b, Eigen::Index g, Eigen::Index first,
-                    Eigen::Index last, double* result) {
-    dot_products<4>(a, b, g, first, last, result);
-}
-void combinations_4(const TallMatrix& a, const Groups& b, Eigen::Index g, Eigen::Index first, Eigen::Index n,
-                    Eigen::MatrixXd& result) {
-    combinations<4>(a, b, g, first, n, result);
-}
-
-#ifdef COUNTERPART_WIDE_VECTORS
-[[gnu::target("avx2")]] void dot_products_8(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                            Eigen::Index first, Eigen::Index last, double* result) {
-    dot_products<8>(a, b, g, first, last, result);
-}
-[[gnu::target("avx512f")]] void dot_products_16(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                                Eigen::Index first, Eigen::Index last, double* result) {
-    dot_products<16>(a, b, g, first, last, result);
-}
-[[gnu::target("avx2")]] void combinations_8(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                            Eigen::Index first, Eigen::Index n, Eigen::MatrixXd& result) {
-    combinations<8>(a, b, g, first, n, result);
-}
-[[gnu::target("avx512f")]] void combinations_16(const TallMatrix& a, const Groups& b, Eigen::Index g,
-                                                Eigen::Index first, Eigen::Index n, Eigen::MatrixXd& result) {
-    combinations<16>(a, b, g, first, n, result);
-}
-Machine this_machine() {
-    if (vector_lanes() == 16) return {dot_products_16, combinations_16};
-    if (vector_lanes() == 8) return {dot_products_8, combinations_8};
-    return {dot_products_4, combinations_4};
-}
-#else
-Machine this_machine() { return {dot_products_4, combinations_4}; }
-#endif
 
 }  // namespace
 
 Eigen::MatrixXd transposed_times(const TallMatrix& a, const Eigen::MatrixXd& b) {
     if (a.size() == 0 || b.size() == 0) return Eigen::MatrixXd::Zero(a.cols(), b.cols());
-    const Machine machine = this_machine();
+    const auto dot_products = widest<DotProducts>();
     const Groups groups(b);
     Eigen::MatrixXd result(a.cols(), b.cols());
     const Eigen::Index n_tasks = (a.cols() + columns_per_task - 1) / columns_per_task;
@@ -166,7 +129,7 @@ Eigen::MatrixXd transposed_times(const TallMatrix& a, const Eigen::MatrixXd& b) 
                            n = std::min(columns_per_task, a.cols() - first);
         for (Eigen::Index g = 0; g < groups.count; ++g) {
             double sums[columns_per_task * group] = {};
-            machine.dot_products(a, groups, g, first, first + n, sums);
+            dot_products(a, groups, g, first, first + n, sums);
             for (Eigen::Index j = g * group; j < std::min((g + 1) * group, b.cols()); ++j)
                 for (Eigen::Index c = 0; c < n; ++c) result(first + c, j) = sums[c * group + j % group];
         }
@@ -176,14 +139,14 @@ Eigen::MatrixXd transposed_times(const TallMatrix& a, const Eigen::MatrixXd& b) 
 
 Eigen::MatrixXd times(const TallMatrix& a, const Eigen::MatrixXd& b) {
     if (a.size() == 0 || b.size() == 0) return Eigen::MatrixXd::Zero(a.rows(), b.cols());
-    const Machine machine = this_machine();
+    const auto combinations = widest<Combinations>();
     const Groups groups(b);
     Eigen::MatrixXd result(a.rows(), b.cols());
     const Eigen::Index n_tasks = (a.rows() + rows_per_task - 1) / rows_per_task;
     parallel_for(static_cast<std::size_t>(n_tasks), 1, [&](std::size_t task) {
         const Eigen::Index first = static_cast<Eigen::Index>(task) * rows_per_task,
                            n = std::min(rows_per_task, a.rows() - first);
-        for (Eigen::Index g = 0; g < groups.count; ++g) machine.combinations(a, groups, g, first, n, result);
+        for (Eigen::Index g = 0; g < groups.count; ++g) combinations(a, groups, g, first, n, result);
     });
     return result;
 }

@@ -24,9 +24,6 @@ class ThinPlateSpline {
     /// f of N x D points. O(N K).
     Matrix operator()(const Matrix& points) const;
 
-    /// trace(w^T Phi w): 0 for an affine map. O(K^2).
-    double bending_energy() const;
-
     const Matrix& controls() const { return controls_; }
     const Matrix& affine() const { return affine_; }
     const Matrix& weights() const { return weights_; }

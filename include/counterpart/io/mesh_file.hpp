@@ -95,4 +95,8 @@ struct BaseColors {
 BaseColors read_base_colors(const AttributedMesh& content, const std::filesystem::path& file,
                             const ReadOptions& options = {});
 
+/// The names of the material files (`mtllib`) of an OBJ file, as they stand there. Throws IoError if it
+/// cannot be read.
+std::vector<std::string> material_files(const std::filesystem::path& obj);
+
 }  // namespace counterpart

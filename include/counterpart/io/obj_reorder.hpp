@@ -15,8 +15,8 @@ namespace counterpart {
 /// coordinates and normals keep their text; each corner has the texture coordinate and the normal of the
 /// target's corner named by `target_corner_from_source` (source triangles x 3, entries 3 * triangle +
 /// corner). A target without texture coordinates leaves the source's. Polylines with texture coordinates are
-/// dropped. Both texts must be files that read_mesh accepts, `source_triangles` what it makes of the first.
-/// Throws InvalidInput if the map is not complete or does not fit.
+/// dropped. Both texts must be files that read_attributed_mesh accepts, `source_triangles` what it makes of
+/// the first. Throws InvalidInput if the map is not complete or does not fit.
 std::string reorder_obj(std::string_view source_text, std::string_view target_text,
                         const VertexMap& target_from_source, TrianglesView source_triangles,
                         TrianglesView target_corner_from_source);

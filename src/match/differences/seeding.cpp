@@ -22,7 +22,7 @@ std::vector<std::pair<Color, Dart>> colored_darts(const OpenPart& part, unsigned
         if (part.done[to_size(t)]) continue;
         for (int c = 0; c < 3; ++c) {
             const Dart d = make_dart(t, c, map.parity(make_dart(t, c)) ^ parity);
-            const Color color = mix(dart_color(map, part.colors, d));
+            const Color color = finalized(dart_color(map, part.colors, d));
             if ((color & mask) == 0) darts.emplace_back(color, d);
         }
     }

@@ -43,9 +43,8 @@ std::vector<Index> polygon_corner_images(const Polygons& source, const Polygons&
 // equal where the sums over their triangles are, of hashes that do not depend on a triangle's first corner.
 Index count_cut_differently(const Polygons& source, const std::vector<Index>& image, const Polygons& target) {
     const auto hash = [](const Index* corner, const auto& name) {
-        using isomorphism::mix;
-        const auto of = [&](int c) { return mix(static_cast<std::uint64_t>(name(corner[c])) + 1); };
-        return mix(of(0) + of(1) + of(2));
+        const auto of = [&](int c) { return finalized(static_cast<std::uint64_t>(name(corner[c])) + 1); };
+        return finalized(of(0) + of(1) + of(2));
     };
     std::vector<Index> polygon_of(to_size(target.n_corners()));  // of the target's corners
     for (Index q = 0; q < target.count(); ++q)

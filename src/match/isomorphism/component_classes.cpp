@@ -24,7 +24,7 @@ void add_signatures(const DartMap& map, const std::vector<Color>& colors, bool i
     for (Index i = 0; i < map.n_components(); ++i) {
         const auto begin = 3 * to_size(map.component_begin[to_size(i)]);
         const auto end = 3 * to_size(map.component_begin[to_size(i) + 1]);
-        Color signature = mix(end - begin);
+        Color signature = finalized(end - begin);
         for (std::size_t h = begin; h < end; ++h) signature += colors[to_size(map.corner[h])];
         names.push_back({signature, i, in_target});
     }

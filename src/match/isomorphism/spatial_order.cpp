@@ -3,6 +3,7 @@
 #include "match/isomorphism/spatial_order.hpp"
 
 #include "match/isomorphism/dart_map.hpp"
+#include "numerics/morton_order.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +19,16 @@ struct Keyed {
     Index vertex;
 };
 
-// Two zeros between any two of the ten bits.
-std::uint32_t spread(std::uint32_t x) {
-    x = (x | (x << 16U)) & 0x030000ffU;
-    x = (x | (x << 8U)) & 0x0300f00fU;
-    x = (x | (x << 4U)) & 0x030c30c3U;
-    return (x | (x << 2U)) & 0x09249249U;
-}
-
 std::vector<Keyed> morton_keys(PointsView points) {
     const Eigen::RowVector3d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
     // One scale for all axes: cells are cubes.
     const double extent = std::max((high - low).maxCoeff(), 1e-300), cells = (1U << bits) - 1;
     std::vector<Keyed> keys(to_size(points.rows()));
     for (Index v = 0; v < static_cast<Index>(points.rows()); ++v) {
-        std::uint32_t key = 0;
-        for (int d = 0; d < 3; ++d)
-            key |= spread(static_cast<std::uint32_t>((points(v, d) - low[d]) / extent * cells)) << d;
-        keys[to_size(v)] = {key, v};
+        const auto cell = [&](int d) {
+            return static_cast<std::uint64_t>((points(v, d) - low[d]) / extent * cells);
+        };
+        keys[to_size(v)] = {static_cast<std::uint32_t>(numerics::morton_code(cell(0), cell(1), cell(2))), v};
     }
     return keys;
 }

@@ -17,7 +17,7 @@ struct SpatialOrder {
     std::vector<Index> input_vertex;    ///< the mesh's number of each vertex
 };
 
-/// Vertices along a Morton curve through their positions (G. M. Morton 1966), triangles by blocks of it. Only
+/// Vertices along a Morton curve through their positions, triangles by blocks of it. Only
 /// speed depends on the positions. O(V + F), by radix sort.
 SpatialOrder make_spatial_order(MeshView mesh);
 

@@ -21,7 +21,7 @@ std::vector<Color> vertex_colors(const DartMap& map, int rounds) {
     if (map.first_center != no_center)
         for (std::size_t v = 0; v < n; ++v)
             if (map.input_vertex[v] >= map.first_center) colors[v] += center;
-    for (Color& color : colors) color = mix(color);
+    for (Color& color : colors) color = finalized(color);
     return refined_colors(map, std::move(colors), rounds);
 }
 
@@ -33,12 +33,12 @@ std::vector<Color> refined_colors(const DartMap& map, std::vector<Color> colors,
         for (std::size_t h = 0; h < n_corners; h += 3) {
             const auto u = to_size(map.corner[h]), v = to_size(map.corner[h + 1]),
                        w = to_size(map.corner[h + 2]);
-            const Color triangle = mix(colors[u] + colors[v] + colors[w]);
+            const Color triangle = finalized(colors[u] + colors[v] + colors[w]);
             sums[u] += triangle;
             sums[v] += triangle;
             sums[w] += triangle;
         }
-        for (std::size_t v = 0; v < n; ++v) colors[v] = mix(3 * colors[v] + sums[v]);
+        for (std::size_t v = 0; v < n; ++v) colors[v] = finalized(3 * colors[v] + sums[v]);
     }
     return colors;
 }

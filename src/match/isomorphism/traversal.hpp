@@ -5,6 +5,7 @@
 // isomorphism of components or shows that there is none.
 #pragma once
 
+#include "base/hash_mixing.hpp"
 #include "match/isomorphism/dart_map.hpp"
 
 #include <cstdint>
@@ -14,13 +15,6 @@
 namespace counterpart::isomorphism {
 
 using Color = std::uint64_t;
-
-/// The finalizer of SplitMix64: every bit of the input changes half of the bits of the output.
-inline Color mix(Color x) {
-    x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27U)) * 0x94d049bb133111ebULL;
-    return x ^ (x >> 31U);
-}
 
 /// Vertex colors: valence and borders around, and whether it is a polygon's middle; refined `rounds` times by
 /// the colors around. Equal for vertices that an isomorphism, orientation-preserving or not, can exchange.

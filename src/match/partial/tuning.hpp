@@ -147,7 +147,6 @@ struct ConfidenceTuning {
     /// some scale on a body up to 0.35; of the 130 right and 22 wrong maps of the parts sets 6 and 1 lie
     /// between 0.3 and 0.4.
     double unsure = 0.4;
-    double few_votes = 0.3;
 };
 
 /// Which of the ways in which a part fits is taken. Set by hand after a look at pairs with right

@@ -9,11 +9,6 @@
 namespace counterpart::symmetry {
 
 struct ExactTuning {
-    // ---- isomorphism ----
-    /// Steps per triangle that failing traversals may take before colors are refined further.
-    std::size_t wasted_steps_per_triangle = 10;
-
-    // ---- symmetry ----
     /// Relative difference below which two squared errors tie.
     double tie = 0.01;
     /// Edge lengths, in mean edge lengths, that are rounding.

@@ -83,10 +83,10 @@ TEST(ThinPlateSpline, AffineMapsBendNothing) {
     linear << 1, 0.2, 0, -0.3, 2, 0.1, 0.5, 0, 0.7;
     const Matrix images = (controls * linear).rowwise() + Eigen::RowVector3d(1, 2, 3);
     const ThinPlateSpline spline(controls, images, 0.5);
-    EXPECT_NEAR(spline.bending_energy(), 0, 1e-12);
+    EXPECT_LT(spline.weights().norm(), 1e-12);
     EXPECT_LT((spline(controls) - images).norm(), 1e-10);
     const ThinPlateSpline bent(controls, control_points(12, 3, 5));
-    EXPECT_GT(bent.bending_energy(), 0.01);
+    EXPECT_GT(bent.weights().norm(), 0.01);
 }
 
 TEST(ThinPlateSpline, FlatAndTinySetsWork) {

@@ -151,7 +151,7 @@ TEST(AttributedMeshFile, WhatDoesNotFitIsNotWritten) {
         EXPECT_THROW(write_attributed_mesh(content, folder / name), IoError);
 }
 
-// What continues a line that is passed over is passed over as well, by both readers of the file.
+// What continues a line that is passed over is passed over as well.
 TEST(AttributedMeshFile, WhatContinuesALineOfAnObjBelongsToIt) {
     const AttributedMesh content = read_attributed(
         "v 0 0 0\nv 1 0 0 \\\n0.5\nv 0 1 0\nvt 0 0\nvt 1 0 \\\nf 1 2 3\nusemtl a \\\r\nf 1 2 3\n"

@@ -54,6 +54,24 @@ TEST(BaseColors, AByteOrderMarkBeforeTheMaterialsIsPassedOver) {
     EXPECT_EQ(colors_of(folder / "a.obj").image_of_triangle, (std::vector<Index>{0, -1, 0, -1}));
 }
 
+TEST(BaseColors, LinesOfMaterialsEndAsThoseOfTheMeshDo) {
+    const test::TemporaryFolder folder;
+    const std::string mesh =
+        "mtllib a #1.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl skin # soft\nf 1/1 2/1 3/1\n";
+    const std::string materials = "newmtl skin # of the hand\nmap_Kd skin #1.png\nmap_Kd\n";
+    write_file(png, folder / "skin #1.png");
+    for (const std::string end : {"\n", "\r\n", "\r", " \\\n\n"}) {
+        const auto ended = [&](std::string text) {
+            for (std::size_t i = 0; (i = text.find('\n', i)) != text.npos; i += end.size())
+                text.replace(i, 1, end);
+            return text;
+        };
+        write_file(ended(mesh), folder / "a.obj");
+        write_file(ended(materials), folder / "a #1.mtl");
+        EXPECT_EQ(colors_of(folder / "a.obj").image_of_triangle, std::vector<Index>{0}) << end;
+    }
+}
+
 TEST(BaseColors, WhatCannotBeShownIsSaid) {
     const test::TemporaryFolder folder;
     write_obj(folder / "a.obj", "absent.mtl");
