@@ -60,7 +60,7 @@ counts() {
 # The sources of each reader, by lines; for glTF, what writes it by itself.
 coverage() {
   local target program source found
-  declare -A sources=([off]=off [obj]="obj obj_attributes" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh
+  declare -A sources=([off]=off [obj]="obj obj_scanner text_cursor" [ply]="ply ply_attributes ply_header" [stl]=stl [msh]=gmsh
     [medit]=medit [vtk]="vtk vtk_data" [vtp]="vtp xml inflate" [gii]=gifti [ele]=ele
     [gltf]="gltf gltf_accessor gltf_document gltf_primitives gltf_uri" [npy]=npy [map]=map_bytes
     [landmarks]=landmark_file [landmark_points]="landmark_json landmark_text"

@@ -25,7 +25,9 @@ void carry_material_files(const fs::path& from, const fs::path& to) {
     for (const std::string& library : material_files(from)) {
         const fs::path name = platform::path_of(library);
         const fs::path file = fs::absolute(from).parent_path() / name;  // an absolute name stays
-        carried += "mtllib " + utf8_name(name.is_absolute() ? name : file.lexically_proximate(folder)) + "\n";
+        const std::string shown = utf8_name(name.is_absolute() ? name : file.lexically_proximate(folder));
+        // A backslash at the end would continue the line.
+        carried += "mtllib " + shown + (shown.ends_with('\\') ? " \n" : "\n");
     }
     if (!carried.empty()) write_file(carried + read_whole_file(to), to);
 }

@@ -56,7 +56,8 @@ std::string with_whole_lines(std::string_view text) {
 
 std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('#')); }
 
-// Calls body(line, key_word, scanner) for each line, with no key word where it holds nothing or a comment.
+// Calls body(line, key_word, scanner) for each line of a text from `with_whole_lines`, with no key word where
+// it holds nothing or a comment.
 template <class Body>
 void for_each_line(std::string_view text, const Body& body) {
     io::ObjScanner scanner(text, "reorder_obj");

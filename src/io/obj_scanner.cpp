@@ -59,9 +59,11 @@ ObjRows ObjScanner::rows(std::string_view text) const {
         text.remove_prefix(digits.size());
         if (digits.empty()) continue;
         std::int64_t number = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+        const bool has_plus = digits.size() > 1 && digits[0] == '+' && digits[1] != '-';  // not of from_chars
+        const auto [end, error] =
+            std::from_chars(digits.data() + (has_plus ? 1 : 0), digits.data() + digits.size(), number);
         if (error != std::errc() || end != digits.data() + digits.size() || number == 0)
-            text_.fail(fmt::format("'{}' is no number of a texture coordinate or normal", digits));
+            text_.fail(fmt::format("'{}' is no number of a texture coordinate or normal", shown(digits)));
         rows[k] = number > 0 ? number - 1 : number < -counts[k] ? no_row : counts[k] + number;
     }
     return rows;

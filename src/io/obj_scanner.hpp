@@ -20,10 +20,11 @@ struct ObjFace {
     std::vector<std::string_view> rows;  ///< the text behind them, such as "/2/3"
 };
 
-/// The rows of `vt` and `vn` that a corner names, counted from 0. Below 0: none; the file may have fewer.
+/// The rows of `vt` and `vn` that a corner names, counted from 0. Below 0: none. A row may lie beyond the
+/// last one.
 using ObjRows = std::array<std::int64_t, 2>;
 
-/// Walks through a Wavefront OBJ file statement by statement: the one place that knows how to read its lines.
+/// Walks through a Wavefront OBJ file statement by statement: what the lines mean is known here alone.
 /// Numbers count from 1 and may name what follows later; negative ones count back from the last so far.
 class ObjScanner {
   public:

@@ -15,7 +15,7 @@ namespace {
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 constexpr std::string_view blanks = " \t\v\f";
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_blank(char c) { return blanks.find(c) != blanks.npos; }
 // A backslash at the line's end continues the line.
 bool continues_line(const char* at, const char* end) {
     return *at == '\\' && at + 1 < end && ends_line(at[1]);
@@ -35,14 +35,13 @@ bool is_no_number_of_windows(std::string_view text) {
            text.starts_with("#INF");
 }
 
-// For messages: long or binary words are cut and made printable.
+}  // namespace
+
 std::string shown(std::string_view word) {
     std::string text;
     for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
     return word.size() > 24 ? text + "..." : text;
 }
-
-}  // namespace
 
 void TextCursor::skip_blanks() {
     while (at_ < end_) {

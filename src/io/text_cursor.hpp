@@ -21,6 +21,9 @@ inline std::string_view stripped(std::string_view text, std::string_view of = " 
     return text.substr(first, text.find_last_not_of(of) - first + 1);
 }
 
+/// For messages: a long or binary word is cut and made printable.
+std::string shown(std::string_view word);
+
 /// Walks through a text file held in memory, line by line and word by word, and knows the line it is on.
 /// A byte order mark before the text is passed over. Lines end with LF, CR LF or CR; a backslash at a line's
 /// end continues the line; '#' starts a comment.

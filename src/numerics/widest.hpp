@@ -22,7 +22,7 @@ template <class Kernel, class... Arguments>
 #endif
 
 template <class Kernel, class... Arguments>
-auto widest(void (*)(Arguments...)) -> void (*)(Arguments...) {
+auto widest_with(void (*)(Arguments...)) -> void (*)(Arguments...) {  // the arguments of `run`
 #ifdef COUNTERPART_WIDE_VECTORS
     if (vector_lanes() == 16) return run_16<Kernel, Arguments...>;
     if (vector_lanes() == 8) return run_8<Kernel, Arguments...>;
@@ -30,11 +30,11 @@ auto widest(void (*)(Arguments...)) -> void (*)(Arguments...) {
     return run_4<Kernel, Arguments...>;
 }
 
-/// `Kernel::run<lanes>` compiled for the widest vectors that this machine has. It must be one that is always
-/// inlined, or it is compiled for any machine, and do the same with vectors of any width.
+/// `Kernel::run<lanes>` compiled for the widest vectors that this machine has. `run` must be `always_inline`,
+/// or its body is compiled for the baseline machine; its result must not depend on `lanes`.
 template <class Kernel>
 auto widest() {
-    return widest<Kernel>(&Kernel::template run<4>);
+    return widest_with<Kernel>(&Kernel::template run<4>);
 }
 
 }  // namespace counterpart::numerics

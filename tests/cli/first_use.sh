@@ -199,6 +199,10 @@ for line in lines:
     text.append(line)
 open("model/dressed.obj", "w").write("\n".join(text) + "\n")
 END
+# A backslash at the end of a name continues no line.
+sed '1s/.*/mtllib odd\\ /' model/dressed.obj > model/odd.obj
+run convert model/odd.obj written/odd.obj
+run inspect written/odd.obj
 run convert model/dressed.obj written/copy.obj
 run transfer model/dressed.obj b.obj --map map.txt -o written/carried.obj
 for file in copy carried; do

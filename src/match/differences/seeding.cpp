@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/differences/seeding.hpp"
 
+#include "base/hash_mixing.hpp"
 #include "match/differences/tuning.hpp"
 
 #include <algorithm>

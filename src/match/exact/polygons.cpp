@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/exact/polygons.hpp"
 
+#include "base/hash_mixing.hpp"
 #include "base/parallel.hpp"
 #include "match/diagonals/diagonals.hpp"
 #include "match/exact/isomorphism.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/isomorphism/component_classes.hpp"
 
+#include "base/hash_mixing.hpp"
 #include "base/parallel.hpp"
 
 #include <algorithm>

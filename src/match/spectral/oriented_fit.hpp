@@ -6,7 +6,8 @@
 
 namespace counterpart::spectral_match {
 
-/// Coefficients of descriptors on either shape, k x d, in corresponding columns, and corresponding vertices.
+/// Coefficients of curvature and heat kernels on either shape, k x d, in corresponding columns, and
+/// corresponding vertices.
 struct KnownFunctions {
     Eigen::MatrixXd on_a, on_b;
     std::vector<std::pair<Index, Index>> vertices;

@@ -91,8 +91,8 @@ ExtraCoordinates features(const Level& level, const Schedule& schedule, const Gu
             of(level.b, guides_b, &PriorPair::from_b, guides.directions_b)};
 }
 
-// Nearest by spectral coordinates and the given ones, within one or two rings of cells around the guess, or
-// of 0 anywhere.
+// Nearest by spectral coordinates and the given ones, within `rings` (1 or 2) rings of cells around the
+// guess; 0: anywhere.
 PairedMaps partners(const Level& level, const PairedFunctionalMaps& functional, const PairedMaps& guess,
                     int rings, const ExtraCoordinates& extra, const ProgressRange& progress) {
     const LevelShape &a = level.a, &b = level.b;

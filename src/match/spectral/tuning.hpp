@@ -105,7 +105,7 @@ struct CandidateTuning {
     ExtrinsicTuning extrinsic;
     std::size_t n_samples = 300;    ///< points on which proposals are grown
     double rigidity_radius = 0.3;   ///< of neighborhoods that should move rigidly
-    int first_size = 20;            ///< eigenfunctions of the map fitted to descriptors and extremities
+    int first_size = 20;            ///< eigenfunctions of the map fitted to curvature and extremities
     double curvature_weight = 0.3;  ///< of each column, against 1 for a heat kernel at an extremity
     std::vector<double> heat_times{0.005, 0.02, 0.06};
     double orientation_weight =
@@ -161,8 +161,8 @@ struct Schedule {
     double back_pull = 0;        ///< of what the other map takes to a vertex, by so many times its area
     float relief_weight = 0;     ///< of fine relief, of variance 1
     float landmark_weight = 40;  ///< of nearness to a landmark; 0: they need not be followed
-    /// Eigenfunctions by which the map of samples is spread over all vertices first, within so many rings of
-    /// cells, 0: anywhere. Of 0 functions the map of vertices goes on.
+    /// Eigenfunctions by which the map of samples is spread over all vertices first (0: the map of vertices
+    /// goes on), within one or two rings of cells around the images of samples, or, if 0, anywhere.
     int start_size = 80;
     int start_rings = 2;
 };
@@ -211,7 +211,7 @@ struct RaceTuning {
 struct MoveTuning {
     double good_score = 1.15;  ///< a leader of so much is left as it is
     double most_apart = 0.6;   ///< there and back, of extremities that a map takes to each other
-    std::size_t n_tried = 4;   ///< other matchings for each map
+    std::size_t n_tried = 8;   ///< other matchings for each map
     Schedule guided{.n_rounds = 4,
                     .first_size = 30,
                     .last_size = 60,
@@ -224,7 +224,9 @@ struct MoveTuning {
                   .first_length = 0.2,
                   .last_length = 0.08,
                   .islands_from = 2};
-    Heat after_moves{5, 0.25}, after_second{3, 0.12}, last{3, 0.06};
+    /// Moved maps begin far behind and gain 0.1 to 0.2 in two more refinements by `RaceTuning::second`.
+    Heat after_moves{5, 0.25}, after_second{3, 0.12};
+    Heat last{3, 0.06};  ///< before and after the moves
 };
 
 /// Stage 5, polish.

@@ -86,6 +86,7 @@ TEST(AttributedMeshFile, ObjSaysWhatIsWrong) {
     for (const auto& [face, message] :
          std::vector<std::pair<std::string, std::string>>{{"f 1/0 2/1 3/1\n", "6: '0' is no number"},
                                                           {"f 1/x 2/1 3/1\n", "6: 'x' is no number"},
+                                                          {"f 1/\x1b[31m\xff 2/1 3/1\n", "6: '?[31m?' is"},
                                                           {"vt nan 0\nf 1 2 3\n", "6: "}}) {
         try {
             read_attributed(vertices + face, "a.obj");
@@ -95,6 +96,14 @@ TEST(AttributedMeshFile, ObjSaysWhatIsWrong) {
             EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
         }
     }
+}
+
+TEST(AttributedMeshFile, ObjNumbersMayHaveAPlus) {
+    const AttributedMesh content =
+        read_attributed("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf +1/+1 +2/+1 3/1\n", "a.obj");
+    EXPECT_EQ(content.mesh.n_triangles(), 1);
+    ASSERT_EQ(content.texture_coordinates.size(), 1U);
+    EXPECT_EQ(content.texture_coordinates[0].corners.maxCoeff(), 0);
 }
 
 TEST(AttributedMeshFile, PlyNamesInUse) {

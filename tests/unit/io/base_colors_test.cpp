@@ -4,6 +4,7 @@
 #include "support/character_glb.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <counterpart/base/errors.hpp>
 #include <counterpart/io/file.hpp>
 #include <counterpart/io/mesh_file.hpp>
 
@@ -70,6 +71,16 @@ TEST(BaseColors, LinesOfMaterialsEndAsThoseOfTheMeshDo) {
         write_file(ended(materials), folder / "a #1.mtl");
         EXPECT_EQ(colors_of(folder / "a.obj").image_of_triangle, std::vector<Index>{0}) << end;
     }
+}
+
+TEST(MaterialFiles, AreNamedInTheirOrder) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "a.obj";
+    EXPECT_THROW(material_files(file), IoError);
+    write_file("v 0 0 0\n# mtllib c.mtl\n", file);
+    EXPECT_TRUE(material_files(file).empty());
+    write_file("\xef\xbb\xbfmtllib b c.mtl\rv 0 0 0\r  mtllib a.mtl \r", file);
+    EXPECT_EQ(material_files(file), (std::vector<std::string>{"b c.mtl", "a.mtl"}));
 }
 
 TEST(BaseColors, WhatCannotBeShownIsSaid) {

@@ -79,8 +79,7 @@ TEST_F(SpectralMoves, WhereTwoLimbsGoToOneTheyPart) {
     tuning.moves.most_apart = 0.6;
     set_rounds(1, 1);
     EXPECT_LT(error(moved({folded, folded})), 0.01);
-    tuning.moves.good_score = 0;
-    EXPECT_GT(error(moved({folded, folded})), 0.03) << "or this proves nothing";
+    EXPECT_GT(error(folded), 0.03) << "or this proves nothing";
 }
 
 TEST_F(SpectralMoves, WhatFitsIsLeftAsItIs) {
