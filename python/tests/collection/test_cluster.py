@@ -33,6 +33,16 @@ def fragile(folder, number):
     return None if number != 3 else "no such luck"
 
 
+def variable(name):
+    return os.environ.get(name)
+
+
+def test_workers_have_one_thread_and_keep_the_memory_that_they_free():
+    with running(workers=1) as runner:
+        names = [("OMP_NUM_THREADS",), ("MALLOC_TRIM_THRESHOLD_",)]
+        assert dict(runner.outcomes(variable, names)) == {0: "1", 1: None}
+
+
 def test_workers_that_die_are_replaced_and_nothing_else_is_lost(tmp_path):
     with dask.config.set({"distributed.scheduler.allowed-failures": 1}), running(workers=2) as runner:
         found = dict(runner.outcomes(fragile, [(str(tmp_path), i) for i in range(6)]))
