@@ -27,7 +27,7 @@ def with_fields(options: _Options, **fields: Any) -> _Options:
     for name, value in fields.items():
         if value is not None:
             try:
-                setattr(options, name, value)
+                setattr(options, name, value.item() if isinstance(value, np.generic) else value)
             except TypeError:
                 raise InvalidInput(f"{name} cannot be {value!r}") from None
     return options

@@ -155,6 +155,11 @@ def test_maps_that_do_not_fit(use, image):
         use(image)
 
 
+def test_options_that_are_numpy_scalars():
+    found = cp.match_exact((V, T), (V, T), allow_mirror=np.True_, weld_distance=np.float32(0), n_threads=np.int64(1))
+    assert (found.target_from_source == cp.match_exact((V, T), (V, T), allow_mirror=True).target_from_source).all()
+
+
 def test_seeds_and_options_that_are_none():
     for seeds in ((-2, 0), (0, -2), (-2, -2), (len(V), 0)):
         with pytest.raises(InvalidInput, match="seed"):

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import collections
 import contextlib
 import itertools
 import os
@@ -185,26 +186,32 @@ def _local_cluster(count: int) -> Any:
 
 
 class Progress:
-    """Lines on standard error: what is done, and how long the rest takes."""
+    """Lines on standard error: what is done, and how long the rest takes at the pace of the last five minutes.
+
+    The first line of a stage gives no time: what an earlier run has done goes by at once.
+    """
 
     def __init__(self, quiet: bool = False) -> None:
         self.quiet = quiet
-        self._begin = self._shown = time.monotonic()
+        self.start()
 
     def say(self, sentence: str) -> None:
         if not self.quiet:
             print(sentence, file=sys.stderr, flush=True)
 
     def start(self) -> None:
-        self._begin = self._shown = time.monotonic()
+        self._shown = time.monotonic()
+        self._lines: collections.deque[tuple[float, int]] = collections.deque(maxlen=30)
 
     def step(self, what: str, done: int, total: int) -> None:
         now = time.monotonic()
         if done < total and now - self._shown < 10:
             return
         self._shown = now
-        seconds = now - self._begin
-        left = "" if done == total else f", about {in_words(seconds / done * (total - done))} left"
+        self._lines.append((now, done))
+        begin, before = self._lines[0]
+        known = before < done < total
+        left = f", about {in_words((now - begin) / (done - before) * (total - done))} left" if known else ""
         self.say(f"{what}: {done} of {total}{left}")
 
 

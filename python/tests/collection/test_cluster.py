@@ -17,9 +17,19 @@ pytest.importorskip("distributed")
 import dask
 import distributed
 from counterpart3d.collection import Collection
-from counterpart3d.collection.runner import OnDask, running
+from counterpart3d.collection.runner import OnDask, Progress, running
 
 from .conftest import write_family
+
+
+def test_the_time_left_does_not_count_what_an_earlier_run_has_done(monkeypatch, capsys):
+    clock = iter([0.0, *([1.0] * 900), *np.arange(2.0, 102.0)])
+    monkeypatch.setattr("counterpart3d.collection.runner.time.monotonic", lambda: next(clock))
+    progress = Progress()
+    for done in range(1, 1001):
+        progress.step("pairs", done, 2000)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "pairs: 909 of 2000" and lines[-1] == "pairs: 999 of 2000, about 17 min left"
 
 
 def fragile(folder, number):
