@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The counterpart authors
 // SPDX-License-Identifier: MIT
 #include "match/spectral/exchanges.hpp"
+#include "support/spiked_pair.hpp"
 #include "support/spikes.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,21 +12,8 @@
 namespace counterpart::spectral_match {
 namespace {
 
-// Of two bodies with the same numbers, the one thicker.
-class SpectralExchanges : public testing::Test {
+class SpectralExchanges : public test::SpikedPair {
   protected:
-    static void SetUpTestSuite() {
-        const PreparationOptions options{.n_functions = 100, .n_samples = 300};
-        TriangleMesh mesh = test::three_spikes(3);
-        a = std::make_unique<PreparedShape>(prepare(mesh, options));
-        mesh.vertices.col(2) *= 1.4;
-        b = std::make_unique<PreparedShape>(prepare(mesh, options));
-    }
-    static void TearDownTestSuite() {
-        a.reset();
-        b.reset();
-    }
-
     static ExtremityPairs identity(int n) {
         ExtremityPairs pairs;
         for (int i = 0; i < n; ++i) pairs.emplace_back(i, i);
@@ -41,8 +28,6 @@ class SpectralExchanges : public testing::Test {
         std::sort(pairs.begin(), pairs.end());
         return pairs;
     }
-
-    static inline std::unique_ptr<const PreparedShape> a, b;
 };
 
 constexpr std::size_t every_one = 1000;

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "base/parallel.hpp"
 #include "match/spectral/race.hpp"
+#include "support/spiked_pair.hpp"
 #include "support/spikes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -16,21 +16,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// Of two bodies with three spikes each, whose vertices have the same numbers; the one is thicker.
-class SpectralRace : public testing::Test {
+class SpectralRace : public test::SpikedPair {
   protected:
-    static void SetUpTestSuite() {
-        const PreparationOptions options{.n_functions = 100, .n_samples = 300};
-        TriangleMesh mesh = test::three_spikes(3);
-        a = std::make_unique<PreparedShape>(prepare(mesh, options));
-        mesh.vertices.col(2) *= 1.4;
-        b = std::make_unique<PreparedShape>(prepare(mesh, options));
-    }
-    static void TearDownTestSuite() {
-        a.reset();
-        b.reset();
-    }
-
     static Contenders raced(const PreparedShape& from, const PreparedShape& to, const SpectralTuning& with,
                             const Priors& priors = nothing_known) {
         Stopwatch watch;
@@ -41,7 +28,6 @@ class SpectralRace : public testing::Test {
         return (to.mesh.vertices(images, Eigen::all) - to.mesh.vertices).rowwise().norm().mean();
     }
 
-    static inline std::unique_ptr<const PreparedShape> a, b;
     SpectralTuning tuning;
 };
 
