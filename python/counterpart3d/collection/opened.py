@@ -128,8 +128,9 @@ class Collection:
             rounds,
             seed,
         )
-        with running(scheduler, workers) as runner:
-            build(os.fspath(folder), os.fspath(out), settings, runner, Progress(not progress))
+        told = Progress(not progress)
+        with running(scheduler, workers, told.say) as runner:
+            build(os.fspath(folder), os.fspath(out), settings, runner, told)
         return cls(out)
 
     @property
@@ -188,8 +189,9 @@ class Collection:
         Each new specimen is matched with the three that are nearest by descriptor. See `build` for the options.
         """
         base = Base(self.folder, self._store, self._content, self._arrays, self.model)
-        with running(scheduler, workers) as runner:
-            add(base, os.fspath(folder), runner, Progress(not progress))
+        told = Progress(not progress)
+        with running(scheduler, workers, told.say) as runner:
+            add(base, os.fspath(folder), runner, told)
         return Collection(self.folder)
 
     def _member(self, name: str) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import collections
 import contextlib
+import importlib.util
 import itertools
 import os
 import queue
@@ -125,7 +126,9 @@ def _result_of(future: Any) -> str | None:
 
 
 @contextlib.contextmanager
-def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
+def running(
+    scheduler: str | None = None, workers: int = 0, say: Callable[[str], None] = lambda sentence: None
+) -> Iterator[Runner]:
     """A runner.
 
     Parameters
@@ -135,6 +138,8 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
         on this machine.
     workers : int
         Processes of that cluster; 0 for one for each processor.
+    say : callable
+        Is told where Dask's dashboard is; of a cluster on this machine where Bokeh, which draws it, is installed.
 
     Raises
     ------
@@ -155,6 +160,8 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
         except (OSError, TimeoutError, ValueError) as error:
             raise InvalidInput(f"no Dask scheduler answers at {scheduler}: {error}") from None
         with client:
+            with contextlib.suppress(KeyError):  # it has none
+                say(f"dashboard: {client.dashboard_link}")
             yield OnDask(client)
         return
     count = workers or len(os.sched_getaffinity(0))
@@ -168,6 +175,8 @@ def running(scheduler: str | None = None, workers: int = 0) -> Iterator[Runner]:
         }
     )
     with settings, _local_cluster(count) as cluster, distributed.Client(cluster) as client:  # type: ignore[no-untyped-call]
+        if importlib.util.find_spec("bokeh"):
+            say(f"dashboard: {client.dashboard_link}")
         yield OnDask(client, lambda: cluster.scale(count))
 
 

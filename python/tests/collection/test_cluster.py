@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+import urllib.request
 
 import numpy as np
 import pytest
@@ -45,6 +46,16 @@ def fragile(folder, number):
 
 def variable(name):
     return os.environ.get(name)
+
+
+def test_a_scheduler_that_is_given_is_used_and_its_dashboard_is_told(tmp_path):
+    said = []
+    with (
+        distributed.LocalCluster(n_workers=1, dashboard_address=":0") as cluster,
+        running(cluster.scheduler_address, say=said.append) as runner,
+    ):
+        assert dict(runner.outcomes(fragile, [(str(tmp_path), 0)])) == {0: None}
+        assert len(said) == 1 and urllib.request.urlopen(said[0].removeprefix("dashboard: ")).status == 200
 
 
 def test_workers_have_one_thread_and_keep_the_memory_that_they_free():
