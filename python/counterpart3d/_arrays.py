@@ -33,6 +33,13 @@ def _laid_out(array: npt.NDArray[Any], dtype: Any, order: Literal["C", "F"] = "C
     return array if array.flags.aligned else array.copy(order)
 
 
+def flag(value: Any, what: str) -> bool:
+    """True or False, of NumPy too."""
+    if not isinstance(value, bool | np.bool_):
+        raise InvalidInput(f"{what} must be True or False, not {value!r}")
+    return bool(value)
+
+
 def real_numbers(values: Any, what: str) -> npt.NDArray[Any]:
     """``values`` as an array of any shape and layout."""
     return _array(values, what, "fiu", "real numbers")

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, pairs
+from ._arrays import FloatArray, IntArray, flag, floats, pairs
 from ._calls import ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, SurfaceMap, opened, require_length, vertex_map_of
@@ -168,7 +168,7 @@ def evaluate(
                 end,
                 vertex_map_of(target_from_source, end),
                 truth_pairs(truth, begin, end),
-                shortcuts,
+                flag(shortcuts, "shortcuts"),
                 n_base_vertices,
                 floats(thresholds, "thresholds", (-1,)),
                 n_threads,

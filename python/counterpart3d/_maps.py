@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
+from ._arrays import FloatArray, IntArray, flag, floats, integers, real_numbers
 from ._calls import ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._meshes import MeshLike, core_mesh
@@ -101,7 +101,7 @@ def read_map(file: str | os.PathLike[str], *, one_based: bool = False) -> IntArr
     one_based : bool
         The file counts vertices from 1; only maps to vertices do.
     """
-    result = _core.read_map(os.fspath(file), one_based)
+    result = _core.read_map(os.fspath(file), flag(one_based, "one_based"))
     return SurfaceMap(*result) if isinstance(result, tuple) else result
 
 
@@ -113,7 +113,7 @@ def write_map(map: MapLike, file: str | os.PathLike[str], *, one_based: bool = F
             integers(value.triangle, "triangle", (-1,)), floats(value.weights, "weights", (-1, 3)), os.fspath(file)
         )
     else:
-        _core.write_map(vertex_map_of(value, None, "map"), os.fspath(file), one_based)
+        _core.write_map(vertex_map_of(value, None, "map"), os.fspath(file), flag(one_based, "one_based"))
 
 
 def project_map(

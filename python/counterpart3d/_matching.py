@@ -9,7 +9,7 @@ import os
 from typing import Any
 
 from . import _core
-from ._arrays import IntArray
+from ._arrays import IntArray, flag
 from ._calls import ProgressLike, reporting
 from ._connectivity_results import Differences, ExactResult, FrontiersResult
 from ._core import InvalidInput
@@ -332,7 +332,9 @@ def match_nearest(
     ndarray of int32, (n_source,)
     """
     with reporting(progress, "matching") as report:
-        return _core.match_nearest(core_mesh(source), core_mesh(target), similarity, n_threads, report)
+        return _core.match_nearest(
+            core_mesh(source), core_mesh(target), flag(similarity, "similarity"), n_threads, report
+        )
 
 
 def match_assignment(

@@ -8,7 +8,7 @@ import os
 from typing import Any, NamedTuple
 
 from . import _core, _scenes
-from ._arrays import FloatArray
+from ._arrays import FloatArray, flag
 from ._meshes import MeshLike, core_mesh
 
 
@@ -50,7 +50,7 @@ def objects(file: str | os.PathLike[str], *, allow_external: bool = False) -> li
     ...     cp.write(cp.read("scene.glb", object=thing.number), f"{thing.name}.ply")
     """
     with _scenes.as_mesh_file(file, allow_external) as readable:
-        listed = _core.objects(readable, allow_external)
+        listed = _core.objects(readable, flag(allow_external, "allow_external"))
     return [MeshObject(i, name.decode("utf-8", "replace"), *counts) for i, (name, *counts) in enumerate(listed)]
 
 

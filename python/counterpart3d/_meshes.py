@@ -11,7 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from . import _core, _scenes
-from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
+from ._arrays import FloatArray, IntArray, flag, floats, integers, real_numbers
 from ._calls import html_table
 from ._core import InvalidInput
 from ._other_packages import faces_of_other
@@ -387,7 +387,7 @@ def read(
     """
     chosen = None if object is None else str(object)
     with _scenes.as_mesh_file(file, allow_external) as readable:
-        return Mesh._of(*_core.read(readable, allow_external, strict, chosen))
+        return Mesh._of(*_core.read(readable, flag(allow_external, "allow_external"), flag(strict, "strict"), chosen))
 
 
 def write(mesh: MeshLike, file: str | os.PathLike[str]) -> None:

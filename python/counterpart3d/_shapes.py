@@ -3,7 +3,7 @@
 """Meshes that the package makes, and what it makes of others: to try things on, with a known truth."""
 
 from . import _core
-from ._arrays import IntArray
+from ._arrays import IntArray, flag
 from ._meshes import Mesh, MeshLike, core_mesh
 
 
@@ -32,7 +32,7 @@ def make_body(subdivisions: int = 2, *, symmetric: bool = False) -> Mesh:
     symmetric : bool
         Equal arms and a mirror symmetry; else the connectivity has no symmetry.
     """
-    return Mesh(*_core.make_body(subdivisions, symmetric))
+    return Mesh(*_core.make_body(subdivisions, flag(symmetric, "symmetric")))
 
 
 def subdivide(mesh: MeshLike) -> Mesh:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
-from ._arrays import FloatArray, IntArray, floats, integers, real_numbers
+from ._arrays import FloatArray, IntArray, flag, floats, integers, real_numbers
 from ._calls import MapResult, ProgressLike, Result, reporting
 from ._core import InvalidInput
 from ._maps import MapLike, SurfaceMap, opened, vertex_map_of
@@ -182,7 +182,17 @@ def zoom_out(
     image = target._vertices_of(target_from_source)
     with reporting(progress, "refining") as report:
         return ZoomOutResult(
-            *_core.zoom_out(image, source._core(), target._core(), first, last, step, bijective, n_threads, report)
+            *_core.zoom_out(
+                image,
+                source._core(),
+                target._core(),
+                first,
+                last,
+                step,
+                flag(bijective, "bijective"),
+                n_threads,
+                report,
+            )
         )
 
 
@@ -229,4 +239,4 @@ def distances(
     if len(bad):
         raise InvalidInput(f"source {bad[0]} is vertex {rows[bad[0]]}, but the mesh has {core.n_vertices} vertices")
     with reporting(progress, "searching") as report:
-        return _core.distances(core, rows, shortcuts, n_threads, report)
+        return _core.distances(core, rows, flag(shortcuts, "shortcuts"), n_threads, report)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import random_calls
 from counterpart3d import InvalidInput, SurfaceMap
+from counterpart3d._match_options import match_options
 
 V, T = cp.make_icosphere(1)
 
@@ -155,9 +156,15 @@ def test_maps_that_do_not_fit(use, image):
         use(image)
 
 
-def test_options_that_are_numpy_scalars():
-    found = cp.match_exact((V, T), (V, T), allow_mirror=np.True_, weld_distance=np.float32(0), n_threads=np.int64(1))
-    assert (found.target_from_source == cp.match_exact((V, T), (V, T), allow_mirror=True).target_from_source).all()
+def test_options_that_are_numpy_scalars(tmp_path):
+    options = match_options(symmetric=np.True_, aligned=np.False_, seed=np.int64(3), min_shared=np.float32(0.5))
+    assert options.spectral.symmetric is True and options.spectral.aligned is False
+    assert options.spectral_shape.seed == 3 and options.min_shared == 0.5
+    map_file = tmp_path / "map.txt"
+    cp.write_map([2, 0, 1], map_file, one_based=np.True_)
+    assert map_file.read_text().split() == ["3", "1", "2"]
+    with pytest.raises(InvalidInput, match="one_based must be True or False, not 'no'"):
+        cp.read_map(map_file, one_based="no")
 
 
 def test_seeds_and_options_that_are_none():

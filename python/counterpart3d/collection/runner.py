@@ -10,9 +10,10 @@ import importlib.util
 import itertools
 import os
 import queue
+import statistics
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
 from .. import Canceled, InvalidInput
@@ -20,7 +21,8 @@ from .. import Canceled, InvalidInput
 Outcome = tuple[int, str | None]
 """Which item, and the message of its failure."""
 
-ONE_THREAD_EACH = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS")
+ENVIRONMENT = "distributed.nanny.pre-spawn-environ"  # Dask's setting: variables of its workers
+TRIM, TRIM_OF_DASK = "MALLOC_TRIM_THRESHOLD_", 65536
 
 MISSING = "collections run on Dask, which is not installed: pip install 'counterpart3d[collection]'"
 
@@ -75,24 +77,26 @@ class OnDask:
         self.client, self.replace_lost, self.patience = client, replace_lost, patience
 
     def outcomes(self, function: Callable[..., str | None], items: Sequence[tuple[Any, ...]]) -> Iterator[Outcome]:
+        # Those in flight are filled up after each: workers of a cluster may join late.
         waiting = iter(enumerate(items))
         finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
         number: dict[Any, int] = {}
 
-        def submit(count: int) -> None:
-            for i, item in itertools.islice(waiting, count):
+        def fill_up() -> None:
+            most = 4 * max(sum(self.client.nthreads().values()), 1)
+            for i, item in itertools.islice(waiting, max(most - len(number), 0)):
                 future = self.client.submit(_message_of, function, item, pure=False, retries=1)
                 number[future] = i
                 future.add_done_callback(finished.put)
 
-        submit(4 * max(sum(self.client.nthreads().values()), 1))
+        fill_up()
         try:
             while number:
                 future = self._next(finished)
                 i = number.pop(future)
                 yield i, _result_of(future)
                 future.release()
-                submit(1)
+                fill_up()
         finally:
             self.client.cancel(list(number))
 
@@ -139,7 +143,7 @@ def running(
     workers : int
         Processes of that cluster; 0 for one for each processor.
     say : callable
-        Is told where Dask's dashboard is; of a cluster on this machine where Bokeh, which draws it, is installed.
+        Called with the address of Dask's dashboard; for processes of this machine only if Bokeh is installed.
 
     Raises
     ------
@@ -160,24 +164,42 @@ def running(
         except (OSError, TimeoutError, ValueError) as error:
             raise InvalidInput(f"no Dask scheduler answers at {scheduler}: {error}") from None
         with client:
-            with contextlib.suppress(KeyError):  # it has none
-                say(f"dashboard: {client.dashboard_link}")
+            _tell_dashboard(client, say)
             yield OnDask(client)
         return
     count = workers or len(os.sched_getaffinity(0))
-    # A worker holds one task: one that dies takes no other with it. On a busy machine it takes long to start again.
-    # Dask also has workers give memory back at once (MALLOC_TRIM_THRESHOLD_), which takes a quarter of their time here.
+    # A worker holds one task: one that dies takes no other with it, and one that is short of memory gains nothing by
+    # waiting. A busy machine takes long to restart one.
     settings = dask.config.set(
         {
             "distributed.scheduler.worker-saturation": 1.0,
+            "distributed.worker.memory.pause": False,
             "distributed.deploy.lost-worker-timeout": "60s",
-            "distributed.nanny.pre-spawn-environ": dict.fromkeys(ONE_THREAD_EACH, "1"),
+            ENVIRONMENT: _without_trimming(dask.config.get(ENVIRONMENT)),
         }
     )
     with settings, _local_cluster(count) as cluster, distributed.Client(cluster) as client:  # type: ignore[no-untyped-call]
         if importlib.util.find_spec("bokeh"):
-            say(f"dashboard: {client.dashboard_link}")
+            _tell_dashboard(client, say)
         yield OnDask(client, lambda: cluster.scale(count))
+
+
+def _without_trimming(environment: Mapping[str, Any]) -> dict[str, Any]:
+    """The variables of workers, without the one by which Dask makes them return freed memory at once.
+
+    That costs a quarter of their time here. An earlier cluster has left it in this process, from which they inherit it.
+    """
+    if environment.get(TRIM) == TRIM_OF_DASK and os.environ.get(TRIM) == str(TRIM_OF_DASK):
+        del os.environ[TRIM]
+    return {name: value for name, value in environment.items() if (name, value) != (TRIM, TRIM_OF_DASK)}
+
+
+def _tell_dashboard(client: Any, say: Callable[[str], None]) -> None:
+    try:
+        link = client.dashboard_link
+    except KeyError:  # it has none, or Dask's template for it names an unknown variable
+        return
+    say(f"dashboard: {link}")
 
 
 def _local_cluster(count: int) -> Any:
@@ -195,9 +217,9 @@ def _local_cluster(count: int) -> Any:
 
 
 class Progress:
-    """Lines on standard error: what is done, and how long the rest takes at the pace of the last five minutes.
+    """Lines on standard error: what is done, and how long the rest takes at the median pace of the last 30 lines.
 
-    The first line of a stage gives no time: what an earlier run has done goes by at once.
+    Results of an earlier run pass at once, so the first line of a stage gives no time.
     """
 
     def __init__(self, quiet: bool = False) -> None:
@@ -218,9 +240,8 @@ class Progress:
             return
         self._shown = now
         self._lines.append((now, done))
-        begin, before = self._lines[0]
-        known = before < done < total
-        left = f", about {in_words((now - begin) / (done - before) * (total - done))} left" if known else ""
+        paces = [(b[0] - a[0]) / (b[1] - a[1]) for a, b in itertools.pairwise(self._lines)]
+        left = f", about {in_words(statistics.median(paces) * (total - done))} left" if paces and done < total else ""
         self.say(f"{what}: {done} of {total}{left}")
 
 

@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import dataclasses
+import operator
 from typing import Literal
 
 from .. import InvalidInput
+from .._arrays import flag
 
 Mirror = Literal["never", "auto"]
 Pairs = Literal["sparse", "sequence", "all"]
@@ -47,6 +49,12 @@ class Settings:
     seed: int = 0
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "same_scale", flag(self.same_scale, "same_scale"))
+        for name in ("semi", "rounds", "seed"):
+            try:
+                object.__setattr__(self, name, operator.index(getattr(self, name)))
+            except TypeError:
+                raise InvalidInput(f"{name} must be a whole number, not {getattr(self, name)!r}") from None
         if self.mirror not in ("never", "auto"):
             raise InvalidInput(f"mirror must be never or auto, not {self.mirror!r}")
         if self.pairs not in ("sparse", "sequence", "all"):

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import urllib.request
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,14 +24,28 @@ from counterpart3d.collection.runner import OnDask, Progress, running
 from .conftest import write_family
 
 
+@pytest.fixture(autouse=True)
+def _environment():
+    """A cluster leaves variables in the process that starts it."""
+    before = dict(os.environ)
+    yield
+    for name in os.environ.keys() - before.keys():
+        del os.environ[name]
+    os.environ.update(before)
+
+
 def test_the_time_left_does_not_count_what_an_earlier_run_has_done(monkeypatch, capsys):
-    clock = iter([0.0, *([1.0] * 900), *np.arange(2.0, 102.0)])
-    monkeypatch.setattr("counterpart3d.collection.runner.time.monotonic", lambda: next(clock))
+    clock = iter([0, *(i / 200 for i in range(3000)), *range(15, 4015, 4)])
+    monkeypatch.setattr("counterpart3d.collection.runner.time", SimpleNamespace(monotonic=lambda: next(clock)))
     progress = Progress()
-    for done in range(1, 1001):
-        progress.step("pairs", done, 2000)
+    for done in range(1, 3021):
+        progress.step("pairs", done, 4000)
     lines = capsys.readouterr().err.splitlines()
-    assert lines[0] == "pairs: 909 of 2000" and lines[-1] == "pairs: 999 of 2000, about 17 min left"
+    assert lines[0] == "pairs: 2001 of 4000"
+    assert lines[-1] == "pairs: 3018 of 4000, about 65 min left"
+    progress.start()
+    progress.step("fits", 5, 5)
+    assert capsys.readouterr().err == "fits: 5 of 5\n"
 
 
 def fragile(folder, number):
@@ -48,20 +63,66 @@ def variable(name):
     return os.environ.get(name)
 
 
-def test_a_scheduler_that_is_given_is_used_and_its_dashboard_is_told(tmp_path):
+def test_a_scheduler_that_is_given_is_used_and_its_dashboard_is_announced(tmp_path):
     said = []
     with (
         distributed.LocalCluster(n_workers=1, dashboard_address=":0") as cluster,
         running(cluster.scheduler_address, say=said.append) as runner,
     ):
         assert dict(runner.outcomes(fragile, [(str(tmp_path), 0)])) == {0: None}
-        assert len(said) == 1 and urllib.request.urlopen(said[0].removeprefix("dashboard: ")).status == 200
+        opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
+        assert opener.open(said[0].removeprefix("dashboard: "), timeout=60).status == 200
 
 
-def test_workers_have_one_thread_and_keep_the_memory_that_they_free():
-    with running(workers=1) as runner:
-        names = [("OMP_NUM_THREADS",), ("MALLOC_TRIM_THRESHOLD_",)]
-        assert dict(runner.outcomes(variable, names)) == {0: "1", 1: None}
+def test_workers_keep_the_memory_that_they_free_and_what_the_user_says(monkeypatch):
+    monkeypatch.setenv("MALLOC_TRIM_THRESHOLD_", "65536")  # as an earlier cluster leaves it
+    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
+    with dask.config.set({"distributed.nanny.pre-spawn-environ.OURS": "7"}), running(workers=1) as runner:
+        names = [("MALLOC_TRIM_THRESHOLD_",), ("OMP_NUM_THREADS",), ("OURS",)]
+        assert dict(runner.outcomes(variable, names)) == {0: None, 1: "1", 2: "7"}
+
+
+class Done:
+    """A future."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def add_done_callback(self, function):
+        function(self)
+
+    def result(self):
+        return self.value
+
+    def release(self):
+        pass
+
+
+class Growing:
+    """A client whose cluster may get more workers."""
+
+    n_workers = n_submitted = 0
+
+    def nthreads(self):
+        return dict.fromkeys(range(self.n_workers), 1)
+
+    def submit(self, function, *arguments, **options):
+        self.n_submitted += 1
+        return Done(function(*arguments))
+
+    def cancel(self, futures):
+        pass
+
+
+def test_workers_that_join_late_get_work():
+    client = Growing()
+    outcomes = OnDask(client).outcomes(variable, [("none of that name",)] * 100)
+    next(outcomes)
+    assert client.n_submitted == 4
+    client.n_workers = 5
+    next(outcomes)
+    assert client.n_submitted == 1 + 4 * 5
+    assert len(list(outcomes)) == 98
 
 
 def test_workers_that_die_are_replaced_and_nothing_else_is_lost(tmp_path):

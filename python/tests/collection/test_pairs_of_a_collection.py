@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("scipy")
+from counterpart3d import InvalidInput
 from counterpart3d.collection.chirality import mirrored_shapes
 from counterpart3d.collection.choice import pairs_to_match
 from counterpart3d.collection.descriptors import total_distances
@@ -141,3 +142,12 @@ def test_maps_are_composed_in_order():
     to = lambda i, j: np.argsort(order[j])[order[i]]  # noqa: E731
     for shape in (1, 2, 3):
         np.testing.assert_array_equal(composed(tree, shape, to), to(0, shape))
+
+
+def test_settings_may_be_numpy_scalars_and_nothing_else():
+    settings = Settings(same_scale=np.True_, seed=np.int64(3))
+    assert settings.same_scale is True and type(settings.seed) is int
+    with pytest.raises(InvalidInput, match=r"rounds must be a whole number, not 0\.5"):
+        Settings(rounds=0.5)
+    with pytest.raises(InvalidInput, match="same_scale must be True or False, not 'no'"):
+        Settings(same_scale="no")
