@@ -5,13 +5,13 @@
 from __future__ import annotations
 
 import importlib.util
-import os
+import io
 import pathlib
-import tempfile
 
 import numpy as np
 
 from .statistics import Model
+from .store import whole_file
 
 
 def write_statismo(model: Model, path: pathlib.Path) -> bool:
@@ -26,9 +26,8 @@ def write_statismo(model: Model, path: pathlib.Path) -> bool:
     order = np.argsort(values)[::-1]
     variance = values[order]
     basis = (flat.T @ vectors[:, order]) / np.sqrt(np.maximum(variance, 1e-300))
-    handle, temporary = tempfile.mkstemp(suffix=".part", dir=path.parent)
-    os.close(handle)
-    with h5py.File(temporary, "w") as file:
+    content = io.BytesIO()
+    with h5py.File(content, "w") as file:
         file["/model/mean"] = model.mean.ravel().astype("f4")
         file["/model/pcaBasis"] = basis.astype("f4")
         file["/model/pcaVariance"] = variance.astype("f4")
@@ -40,5 +39,6 @@ def write_statismo(model: Model, path: pathlib.Path) -> bool:
         file["/representer"].attrs["datasetType"] = "POLYGON_MESH"
         file["/version/majorVersion"], file["/version/minorVersion"] = np.int32(0), np.int32(9)
         file["/modelinfo/scores"] = np.zeros((0, 0), "f4")
-    os.replace(temporary, path)
+    with whole_file(path) as written:
+        written.write(content.getbuffer())
     return True

@@ -16,6 +16,7 @@ from counterpart3d.collection.statistics import (
     principal_modes,
     specificity,
 )
+from counterpart3d.collection.statismo import write_statismo
 from counterpart3d.collection.surfaces import farthest_points, nearest_points
 
 
@@ -175,3 +176,19 @@ def test_farthest_points_are_spread():
     gaps = np.linalg.norm(points[chosen][:, None] - points[chosen][None], axis=2) + 9 * np.eye(30)
     covered = np.linalg.norm(points[:, None] - points[chosen][None], axis=2).min(axis=1)
     assert gaps.min() >= covered.max()
+
+
+def test_the_model_of_statismo_holds_the_same_shapes(planted, tmp_path):
+    h5py = pytest.importorskip("h5py")
+    shapes, triangles, weights, *_ = planted
+    model = principal_modes(shapes, triangles, weights)
+    assert write_statismo(model, tmp_path / "model.h5")
+    assert [file.name for file in tmp_path.iterdir()] == ["model.h5"]
+    assert (tmp_path / "model.h5").stat().st_mode & 0o044
+    with h5py.File(tmp_path / "model.h5") as file:
+        mean, basis, variance = (file[f"/model/{name}"][()] for name in ("mean", "pcaBasis", "pcaVariance"))
+    np.testing.assert_allclose(basis.T @ basis, np.eye(2), atol=1e-5)
+    centered = (shapes - model.mean).reshape(len(shapes), -1)
+    np.testing.assert_allclose(centered @ basis @ basis.T, centered, atol=1e-5)
+    np.testing.assert_allclose(mean, model.mean.ravel(), atol=1e-6)
+    np.testing.assert_allclose(variance, (centered @ basis).var(axis=0, ddof=1), rtol=1e-4)
