@@ -8,6 +8,7 @@ import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection.quality import remark
+from counterpart3d.collection.statismo import write_statismo
 from counterpart3d.collection.statistics import (
     compactness,
     distances_from_mean,
@@ -16,7 +17,6 @@ from counterpart3d.collection.statistics import (
     principal_modes,
     specificity,
 )
-from counterpart3d.collection.statismo import write_statismo
 from counterpart3d.collection.surfaces import farthest_points, nearest_points
 
 
