@@ -184,7 +184,13 @@ def _summary(measures: dict[str, Any]) -> str:
 def _notices(made: Shown) -> str:
     said = [*made.notices]
     bad = sum(bool(row["remark"]) for row in made.quality)
-    if bad:
+    if 2 * bad > len(made.quality) > 4:
+        said.append(
+            f"{bad} of {len(made.quality)} files have a remark in the table below, so it says little about any one of "
+            "them: a template with more vertices may reach more of each, and meshes full of holes are best repaired "
+            "first. The worst files come first"
+        )
+    elif bad:
         said.append(
             f"{bad} files or specimens have a remark in the table below. Look at their pictures: colors that sit "
             "elsewhere than on the others show a wrong map. Landmarks on one of them, a template nearer to them, "

@@ -5,11 +5,13 @@
 import re
 import shutil
 import subprocess
+from types import SimpleNamespace
 
 import pytest
 
 pytest.importorskip("scipy")
 from counterpart3d.collection import Collection
+from counterpart3d.collection.report import _notices
 
 from .conftest import write_family
 
@@ -38,6 +40,13 @@ def shown(page):
 
 def test_it_says_what_helps_where_specimens_have_remarks(report):
     assert "where left and right are mixed, --mirror auto help" in report.read_text()
+
+
+@pytest.mark.parametrize(("bad", "said"), [(0, None), (2, "2 files or specimens have"), (6, "6 of 10 files have")])
+def test_a_remark_that_most_have_says_little_of_one(bad, said):
+    rows = [{"remark": "folded" if i < bad else ""} for i in range(10)]
+    found = _notices(SimpleNamespace(notices=[], quality=rows))
+    assert found == "" if said is None else said in found
 
 
 def test_its_plots_need_no_script(report):
