@@ -128,9 +128,9 @@ class Collection:
             rounds,
             seed,
         )
-        told = Progress(not progress)
-        with running(scheduler, workers, told.say) as runner:
-            build(os.fspath(folder), os.fspath(out), settings, runner, told)
+        lines = Progress(not progress)
+        with running(scheduler, workers, lines.say) as runner:
+            build(os.fspath(folder), os.fspath(out), settings, runner, lines)
         return cls(out)
 
     @property
@@ -189,9 +189,9 @@ class Collection:
         Each new specimen is matched with the three that are nearest by descriptor. See `build` for the options.
         """
         base = Base(self.folder, self._store, self._content, self._arrays, self.model)
-        told = Progress(not progress)
-        with running(scheduler, workers, told.say) as runner:
-            add(base, os.fspath(folder), runner, told)
+        lines = Progress(not progress)
+        with running(scheduler, workers, lines.say) as runner:
+            add(base, os.fspath(folder), runner, lines)
         return Collection(self.folder)
 
     def _member(self, name: str) -> dict[str, Any]:
