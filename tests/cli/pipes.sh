@@ -47,7 +47,7 @@ input a.obj refuse 1 "SOURCE and TARGET are both standard input" match - - -o no
 input truth.txt refuse 1 "no mesh begins so; write it to a file whose name ends in .off" match - b.obj -o none.txt
 : > empty
 input empty refuse 1 "no mesh begins so" match - b.obj -o none.txt
-head -c 100000 /dev/urandom > noise
+python3 -c 'import random, sys; sys.stdout.buffer.write(b"\xff" + random.Random(1).randbytes(99999))' > noise
 input noise refuse 1 "no mesh begins so" inspect -
 (printf 'ply\n'; cat noise) > noise.ply
 input noise.ply refuse 1 "standard_input.ply" inspect -
