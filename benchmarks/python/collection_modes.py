@@ -5,12 +5,14 @@
 
 Makes shapes that vary in two known ways, each with an order of vertices, a place and a size of its own, makes a
 collection of them in FOLDER, and prints one JSON line: how the scores go with the known ones (correlation, after a
-linear map), the share of the variance in the first two modes, error x 100 / sqrt(area) over pairs, seconds.
+linear map), the share of the variance in the first two modes, error x 100 / sqrt(area) over pairs, seconds, seconds of
+a processor, the client's largest memory, bytes on disk.
 """
 
 import argparse
 import json
 import pathlib
+import resource
 import time
 
 import counterpart3d as cp
@@ -31,6 +33,13 @@ def main() -> None:
     begin = time.monotonic()
     found = Collection.build(given.folder / "in", given.folder / "out", workers=given.workers)
     result = {"shapes": given.shapes, "vertices": len(found.model.mean), "seconds": round(time.monotonic() - begin, 1)}
+    client, workers = (resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    files = [file for file in (given.folder / "out").rglob("*") if file.is_file()]
+    result |= {
+        "cpu_seconds": round(sum(used.ru_utime + used.ru_stime for used in (client, workers)), 1),
+        "client_megabytes": round(client.ru_maxrss / 1024),
+        "disk_megabytes": round(sum(file.stat().st_size for file in files) / 2**20, 1),
+    }
     rows = [int(name[5:]) for name in found.names]
     centered = known[rows] - known[rows].mean(axis=0)
     scores = found.model.scores[:, :2]

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/scores.hpp"
+#include "match/spectral/sampled_pair.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace counterpart::spectral_match {
@@ -14,11 +13,9 @@ namespace counterpart::spectral_match {
 struct Candidate {
     PairedMaps maps;
     PairedFunctionalMaps functional;
-    Scores scores;
+    double promise = -std::numeric_limits<double>::infinity();
 
-    double rank() const {
-        return std::isnan(scores.total) ? -std::numeric_limits<double>::infinity() : scores.total;
-    }
+    double rank() const { return promise; }
 };
 
 /// The same with A and B exchanged.

@@ -6,6 +6,7 @@
 #include "match/spectral/extremity_matching.hpp"
 #include "match/spectral/extrinsic_candidates.hpp"
 #include "match/spectral/oriented_fit.hpp"
+#include "match/spectral/promise.hpp"
 
 #include <counterpart/spectral/functional_map.hpp>
 
@@ -59,7 +60,12 @@ class CandidateSearch {
   public:
     CandidateSearch(const SampledPair& pair, const CandidateTuning& tuning, const ProgressRange& progress,
                     std::vector<Candidate> known = {})
-        : pair_(pair), tuning_(tuning), progress_(progress), distance_(pair), candidates_(std::move(known)) {}
+        : pair_(pair),
+          tuning_(tuning),
+          progress_(progress),
+          distance_(pair),
+          promise_(pair, tuning.promise),
+          candidates_(std::move(known)) {}
 
     void add_from_anchors(const std::vector<VertexPairs>& anchors, bool plain);
     void add_reoriented();
@@ -78,6 +84,7 @@ class CandidateSearch {
     const CandidateTuning& tuning_;
     const ProgressRange progress_;
     const MapDistance distance_;
+    const Promise promise_;
     std::vector<Candidate> candidates_;
 };
 
@@ -96,7 +103,7 @@ Candidate CandidateSearch::grow(Beginning beginning) const {
     candidate.maps = zoom_out(pair_.points_a, pair_.points_b, std::move(beginning.maps),
                               sizes_between(std::min(beginning.size + step, last), last, step), false);
     candidate.functional = fit_functional_maps(pair_.points_a, pair_.points_b, candidate.maps, last, false);
-    candidate.scores = score_maps(pair_, candidate.maps, candidate.functional, tuning_.score);
+    candidate.promise = promise_(candidate.maps, candidate.functional);
     return candidate;
 }
 

@@ -4,7 +4,7 @@
 // Stage 2a. Which extremity of A is which of B: partial matchings that keep geodesic distances.
 #pragma once
 
-#include "match/spectral/scores.hpp"
+#include "match/spectral/sampled_pair.hpp"
 
 #include <utility>
 #include <vector>

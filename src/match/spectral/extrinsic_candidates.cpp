@@ -49,7 +49,8 @@ PairedMaps nearest(const numerics::MatrixF& x, const numerics::MatrixF& y) {
 }  // namespace
 
 std::vector<PairedMaps> extrinsic_candidates(const SampledPair& pair, int n_iterations) {
-    const numerics::MatrixF a = in_principal_axes(pair.positions_a), b = in_principal_axes(pair.positions_b);
+    const numerics::MatrixF a = in_principal_axes(sample_positions(pair.a, pair.points_a.size())),
+                            b = in_principal_axes(sample_positions(pair.b, pair.points_b.size()));
     const std::vector<Eigen::Matrix3f> turns = cube_rotations();
     std::vector<PairedMaps> results(turns.size());
     parallel_for(turns.size(), 1, [&](std::size_t i) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "match/spectral/scores.hpp"
+#include "match/spectral/sampled_pair.hpp"
 
 namespace counterpart::spectral_match {
 

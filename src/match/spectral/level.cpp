@@ -36,22 +36,20 @@ MatrixF placement(PointsView positions, PointsView normals, const RefinementTuni
     return all;
 }
 
-LevelShape::LevelShape(const PreparedShape& of, const RefinementTuning& tuning)
+LevelShape::LevelShape(const PreparedShape& of, const SpectralTuning& tuning)
     : shape(of),
-      intrinsic(standardized(curvature_and_wave_kernel(of, tuning.n_wave_kernel), of.basis.mass)),
+      intrinsic(standardized(curvature_and_wave_kernel(of, tuning.refinement.n_wave_kernel), of.basis.mass)),
       relief(standardized(of.relief, of.basis.mass)),
-      placement(spectral_match::placement(of.mesh.vertices, of.normals, tuning)),
+      placement(spectral_match::placement(of.mesh.vertices, of.normals, tuning.refinement)),
       cells(of),
       one_ring(cells.near(1)),
       two_rings(cells.near(2)),
       neighbors(of.mesh),
-      along(of) {}
+      along(of),
+      neighborhoods(spectral_match::neighborhoods(of, all_samples, tuning.score.normal_radius)) {}
 
 Level::Level(const PreparedShape& shape_a, const PreparedShape& shape_b, const Priors& priors,
              const SpectralTuning& with)
-    : tuning(with),
-      pair(shape_a, shape_b, all_samples, with.score.normal_radius, priors),
-      a(shape_a, with.refinement),
-      b(shape_b, with.refinement) {}
+    : tuning(with), pair(shape_a, shape_b, all_samples, priors), a(shape_a, with), b(shape_b, with) {}
 
 }  // namespace counterpart::spectral_match

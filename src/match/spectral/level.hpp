@@ -21,15 +21,16 @@ struct LevelShape {
     Cells::Lists one_ring, two_rings;  // of cells
     Adjacency neighbors;
     SurfaceDistanceBound along;
+    std::vector<std::vector<Index>> neighborhoods;  // samples within ScoreTuning::normal_radius of some
 
-    LevelShape(const PreparedShape& of, const RefinementTuning& tuning);
+    LevelShape(const PreparedShape& of, const SpectralTuning& tuning);
 };
 
 /// A pair of shapes at one resolution: whole, or coarse copies of both. The shapes and priors must outlive
 /// it.
 struct Level {
     const SpectralTuning& tuning;
-    SampledPair pair;  // on all samples, with the neighborhoods of ScoreTuning::normal_radius
+    SampledPair pair;  // on all samples
     LevelShape a, b;
 
     Level(const PreparedShape& shape_a, const PreparedShape& shape_b, const Priors& priors,

@@ -82,6 +82,27 @@ std::vector<RunnerUp> runners_up(const std::vector<Dropped>& dropped, const Leve
     return result;
 }
 
+// Sum of C_ij^2 by the relative gap of the eigenvalues i and j, over k: 0 for an isometry.
+double drift(const MatrixF& map, const VectorF& row_frequencies, const VectorF& column_frequencies) {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < map.rows(); ++i) {
+        for (Eigen::Index j = 0; j < map.cols(); ++j) {
+            const double x = row_frequencies[i] * row_frequencies[i];
+            const double y = column_frequencies[j] * column_frequencies[j];
+            const double gap = (x - y) / (x + y + 1e-9), entry = map(i, j);
+            sum += entry * entry * gap * gap;
+        }
+    }
+    return sum / static_cast<double>(map.cols());
+}
+
+// The mean of both directions, by so many functions.
+double drift(const SampledPair& pair, const PairedMaps& maps, int size) {
+    const PairedFunctionalMaps fitted = fit_functional_maps(pair.points_a, pair.points_b, maps, size, false);
+    const VectorF &on_a = pair.points_a.frequencies, &on_b = pair.points_b.frequencies;
+    return (drift(fitted.a_from_b, on_a, on_b) + drift(fitted.b_from_a, on_b, on_a)) / 2;
+}
+
 }  // namespace
 
 Map spread_over(const Level& whole, const Map& map) {
@@ -91,10 +112,9 @@ Map spread_over(const Level& whole, const Map& map) {
 NearIsometry grown_near_isometry(const Level& whole, const Map& map) {
     const std::vector<int>& sizes = whole.tuning.polish.near_sizes;
     Map start = grown(whole, map, sizes, false);
-    const double drift = frequency_drift(
-        whole.pair,
-        fit_functional_maps(whole.pair.points_a, whole.pair.points_b, start.maps, sizes.back(), false));
-    return {std::move(start), drift < whole.tuning.polish.near_isometry_drift};
+    const bool is_near =
+        drift(whole.pair, start.maps, sizes.back()) < whole.tuning.polish.near_isometry_drift;
+    return {std::move(start), is_near};
 }
 
 Map refined_near_isometry(const Level& whole, const NearIsometry& near, const ProgressRange& progress) {

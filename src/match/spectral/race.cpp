@@ -19,8 +19,7 @@ class Race {
           tuning_(level.tuning.race),
           progress_(progress),
           watch_(watch),
-          few_(level.pair.a, level.pair.b, level.tuning.candidates.n_samples,
-               level.tuning.candidates.rigidity_radius, level.pair.priors),
+          few_(level.pair.a, level.pair.b, level.tuning.candidates.n_samples, level.pair.priors),
           between_few_(few_),
           between_all_(level.pair) {}
 

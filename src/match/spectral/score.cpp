@@ -45,25 +45,23 @@ Eigen::Matrix3d covariance(const PreparedShape& from, const PreparedShape& to, c
 
 // Mean cosine between normals and those of their images, after the best rotation of each neighborhood, in one
 // direction. A half-turned limb bends the wrong way.
-double agreement_of_normals(const PreparedShape& from, const Neighborhoods& near, const PreparedShape& to,
-                            const std::vector<Index>& map) {
+double agreement_of_normals(const LevelShape& from, const PreparedShape& to, const std::vector<Index>& map) {
     double sum = 0;
     std::vector<Index> vertices;
-    const std::size_t count = near.first.size() - 1;
-    for (std::size_t center = 0; center < count; ++center) {
+    for (const std::vector<Index>& samples : from.neighborhoods) {
+        if (samples.empty()) continue;
         vertices.clear();
-        for (std::size_t i = near.first[center]; i < near.first[center + 1]; ++i)
-            vertices.push_back(from.samples[at(near.samples[i])]);
-        if (vertices.empty()) continue;
-        const Eigen::Matrix3d rotation = numerics::fit_rotation(covariance(from, to, map, vertices)).rotation;
+        for (const Index s : samples) vertices.push_back(from.shape.samples[at(s)]);
+        const Eigen::Matrix3d rotation =
+            numerics::fit_rotation(covariance(from.shape, to, map, vertices)).rotation;
         double agreeing = 0;
         for (const Index v : vertices) {
-            const Eigen::Vector3d turned = rotation * from.normals.row(v).transpose();
+            const Eigen::Vector3d turned = rotation * from.shape.normals.row(v).transpose();
             agreeing += turned.dot(to.normals.row(map[at(v)]).transpose());
         }
         sum += agreeing / static_cast<double>(vertices.size());
     }
-    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+    return sum / static_cast<double>(std::max<std::size_t>(from.neighborhoods.size(), 1));
 }
 
 }  // namespace
@@ -91,8 +89,8 @@ Score score(const Level& level, const PairedMaps& maps) {
         return round_trips_and_tears(from, to, there).cwiseMin(tuning.most_damage).mean();
     };
     Score result{.relief = (relief(a, b, maps.b_from_a) + relief(b, a, maps.a_from_b)) / 2,
-                 .normals = (agreement_of_normals(a, level.pair.near_a, b, maps.b_from_a) +
-                             agreement_of_normals(b, level.pair.near_b, a, maps.a_from_b)) /
+                 .normals = (agreement_of_normals(level.a, b, maps.b_from_a) +
+                             agreement_of_normals(level.b, a, maps.a_from_b)) /
                             2,
                  .damage = (damage(level.a, level.b, maps) + damage(level.b, level.a, back)) / 2,
                  .disagreement = level.pair.priors.empty() ? 0

@@ -91,12 +91,12 @@ struct ExtrinsicTuning {
     int n_functions = 5;    ///< similar poses say little more than what the coarsest functions hold
 };
 
-/// What counts how much in a score. Round numbers, fitted by pairwise ranking of right against wrong maps:
-/// orthogonality is most informative for small bases, drift for large ones.
-struct ScoreWeights {
-    int curvature_scale;  ///< index into PreparationTuning::curvature_times
-    double orientation, orthogonality, drift, rigidity;
-    double curvature = 1;
+/// What counts how much in the promise of a proposal, against 1 for curvature. Round numbers, fitted by
+/// pairwise ranking of right against wrong maps.
+struct PromiseTuning {
+    int curvature_scale = 2;  ///< index into PreparationTuning::curvature_times
+    double orientation = 0.15, orthogonality = 2.5, rigidity = 0.7;
+    double radius = 0.3;  ///< of neighborhoods that should move rigidly
 };
 
 /// Stage 2, proposals.
@@ -104,7 +104,6 @@ struct CandidateTuning {
     ExtremityTuning extremities;
     ExtrinsicTuning extrinsic;
     std::size_t n_samples = 300;    ///< points on which proposals are grown
-    double rigidity_radius = 0.3;   ///< of neighborhoods that should move rigidly
     int first_size = 20;            ///< eigenfunctions of the map fitted to curvature and extremities
     double curvature_weight = 0.3;  ///< of each column, against 1 for a heat kernel at an extremity
     std::vector<double> heat_times{0.005, 0.02, 0.06};
@@ -113,7 +112,7 @@ struct CandidateTuning {
     double orientation_heat_time = 0.06;
     std::size_t n_reoriented = 8;       ///< proposals whose tips give another start
     int last_size = 30, size_step = 5;  ///< eigenfunctions that proposals are grown to by ZoomOut
-    ScoreWeights score{2, 0.15, 2.5, 0, 0.7};
+    PromiseTuning promise;
     std::size_t n_flipped = 16;          ///< proposals whose low columns are negated
     int first_flip = 5, last_flip = 17;  ///< columns, one at a time
     double min_new_difference = 0.03;    ///< flips that begin closer than this to an earlier one are dropped
@@ -185,7 +184,7 @@ struct Heat {
 struct RaceTuning {
     Index n_coarse = 1000;                    ///< vertices
     std::size_t n_first = 24, n_varied = 14;  ///< proposals that enter before and after they are varied
-    double close_proposal = 0.3;              ///< those farther behind by their own score do not enter
+    double close_proposal = 0.3;              ///< those whose promise is farther behind do not enter
     double min_new_difference = 0.05;         ///< nor those closer than this to one that has
     Schedule first{.n_rounds = 3,
                    .first_size = 30,

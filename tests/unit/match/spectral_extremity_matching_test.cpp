@@ -50,7 +50,7 @@ struct SpectralExtremityMatching : testing::Test {
         return shape;
     }
     const PreparedShape& shape = hands();
-    const SampledPair pair{shape, shape, 300, 0.3};
+    const SampledPair pair{shape, shape, 300};
     ExtremityTuning tuning;
 };
 
@@ -76,7 +76,7 @@ TEST_F(SpectralExtremityMatching, NoFingerTakesThePlaceOfTheHead) {
 TEST_F(SpectralExtremityMatching, ProminentOnesAreMatchedFirstAndAllOfThemOnceMore) {
     const PreparedShape blunt = without_fine_ones(shape);
     const std::vector<ExtremityMatching> found = match_extremities(pair, tuning),
-                                         prominent = match_extremities({blunt, blunt, 300, 0.3}, tuning);
+                                         prominent = match_extremities({blunt, blunt, 300}, tuning);
     ASSERT_FALSE(prominent.empty());
     ASSERT_GT(found.size(), prominent.size());
     EXPECT_LE(found.size(), prominent.size() + tuning.n_fine_matchings);
@@ -90,7 +90,7 @@ TEST_F(SpectralExtremityMatching, NoMatchingIsThereTwice) {
     const PreparedShape blunt = without_fine_ones(shape);
     for (const auto& [a, b] :
          {std::pair(&shape, &shape), std::pair(&shape, &blunt), std::pair(&blunt, &shape)}) {
-        const std::vector<ExtremityMatching> found = match_extremities({*a, *b, 300, 0.3}, tuning);
+        const std::vector<ExtremityMatching> found = match_extremities({*a, *b, 300}, tuning);
         std::set<Pairs> different;
         for (const ExtremityMatching& matching : found) different.insert(matching.pairs);
         EXPECT_EQ(different.size(), found.size());

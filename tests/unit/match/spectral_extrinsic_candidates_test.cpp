@@ -26,7 +26,7 @@ TriangleMesh egg(double width) {
 TEST(SpectralExtrinsicCandidates, OneOfTheMapsIsThatOfATurnedShapeOfOtherProportions) {
     const PreparationOptions options{.n_functions = 40, .n_samples = 300};
     const PreparedShape a = prepare(egg(1.0), options), b = prepare(test::moved(egg(1.2), 7), options);
-    const SampledPair pair(a, b, 300, 0.3);
+    const SampledPair pair(a, b, 300);
     double least = 1;
     for (const PairedMaps& maps : extrinsic_candidates(pair, 10)) {
         double sum = 0;
@@ -42,7 +42,7 @@ TEST(SpectralExtrinsicCandidates, OneOfTheMapsIsThatOfATurnedShapeOfOtherProport
 TEST(SpectralExtrinsicCandidates, MirrorImagesAreNotLaidOntoEachOther) {
     const PreparationOptions options{.n_functions = 40, .n_samples = 300};
     const PreparedShape a = prepare(egg(1.0), options), b = mirrored(a);
-    const SampledPair pair(a, b, 300, 0.3);
+    const SampledPair pair(a, b, 300);
     for (const PairedMaps& maps : extrinsic_candidates(pair, 10)) {
         int same = 0;
         for (std::size_t s = 0; s < maps.b_from_a.size(); ++s)

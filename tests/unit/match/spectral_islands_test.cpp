@@ -33,7 +33,7 @@ class SpectralIslands : public testing::Test {
   protected:
     static void SetUpTestSuite() {
         prepared = std::make_unique<PreparedShape>(prepare(egg(), {.n_functions = 100, .n_samples = 400}));
-        whole = std::make_unique<LevelShape>(*prepared, RefinementTuning{});
+        whole = std::make_unique<LevelShape>(*prepared, SpectralTuning{});
     }
     static void TearDownTestSuite() {
         whole.reset();
@@ -132,7 +132,7 @@ TEST_F(SpectralIslands, AreNotWhatStretchesAllAlong) {
         for (Index v = 0; v < shape.mesh.n_vertices(); ++v)
             longer.sample_distances(s, v) = static_cast<float>(dijkstra.distance(v));
     }
-    const LevelShape stretched(longer, RefinementTuning{});
+    const LevelShape stretched(longer, SpectralTuning{});
     EXPECT_TRUE(find_islands(*whole, stretched, identity(), {.gap = 0.02}).empty);
     EXPECT_FALSE(find_islands(*whole, stretched, identity(), {.gap = 0.02, .most_growth = 1}).empty)
         << "or this proves nothing";
@@ -152,7 +152,7 @@ TEST_F(SpectralIslands, JumpToALimbThatAlmostTouches) {
     const PreparedShape ring = prepare(test::horseshoe(), {.n_functions = 20, .n_samples = 200});
     const PointsView y{ring.mesh.vertices};
     const Index tip = test::ends_of_horseshoe(ring.mesh).first;
-    const LevelShape level(ring, RefinementTuning{});
+    const LevelShape level(ring, SpectralTuning{});
     std::vector<Index> map = test::staying(ring.mesh);
     const auto is_end = [&](Index v) { return y(v, 1) > 0 && (y.row(v) - y.row(tip)).norm() < 0.05; };
     const auto facing = [&](Index v) {

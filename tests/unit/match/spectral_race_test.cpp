@@ -52,7 +52,7 @@ TEST_F(SpectralRace, ADecidedOneEndsEarlyWithTheSameLeader) {
 
 TEST_F(SpectralRace, WhatDropsOutKnowsHowFarBehindItWas) {
     const Contenders found = raced(*a, *b, tuning);
-    const MapDistance distance(SampledPair(*a, *b, all_samples, 0));
+    const MapDistance distance(SampledPair(*a, *b, all_samples));
     bool has_another = false;
     ASSERT_FALSE(found.dropped.empty());
     for (const Dropped& out : found.dropped) {
@@ -71,7 +71,7 @@ TEST_F(SpectralRace, WhatDropsOutKnowsHowFarBehindItWas) {
 TEST_F(SpectralRace, ExchangingTheShapesExchangesTheMaps) {
     const Map there = raced(*a, *b, tuning).leader(), back = reversed(raced(*b, *a, tuning).leader());
     EXPECT_NEAR(there.rank(), back.rank(), 0.02);
-    const MapDistance distance(SampledPair(*a, *b, all_samples, 0));
+    const MapDistance distance(SampledPair(*a, *b, all_samples));
     EXPECT_LT(distance(there.maps, back.maps), 0.02);
 }
 

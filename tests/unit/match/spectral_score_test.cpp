@@ -111,7 +111,7 @@ TEST_F(SpectralScore, OfAMapIsThatOfItsVertices) {
 }
 
 TEST_F(SpectralScore, OnlyTheLongWayOfAnEdgeIsATear) {
-    const LevelShape shape(*a, tuning.refinement);
+    const LevelShape shape(*a, tuning);
     EXPECT_EQ(round_trips_and_tears(shape, shape, right).maxCoeff(), 0);
     PairedMaps torn = right;
     torn.b_from_a.front() = torn.b_from_a.back();
