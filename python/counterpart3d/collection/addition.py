@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import csv
 import dataclasses
-import json
 import pathlib
 from typing import Any
 
@@ -28,6 +27,7 @@ from .specimens import prepared_specimens
 from .statistics import Model, distances_from_mean, outliers
 from .store import Arrays, Store, whole_file
 from .tables import write_quality, write_table
+from .written import claim, claimed, specimen_files, write_content
 
 
 @dataclasses.dataclass(frozen=True)
@@ -76,7 +76,8 @@ def _free(name: str, taken: set[str]) -> str:
 
 def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progress: Progress) -> None:
     """A run that is killed here changes nothing: what collection.json, written last, does not name does not count."""
-    old = base.content["members"]
+    old, points = base.content["members"], bool(base.content["points"])
+    claim(base.folder, (name for file in joined for name in specimen_files(file.name, points=points)), base.content)
     size = None if base.content["keep_size"] else size_of_aligned(base.arrays["matrices"], base.arrays["sizes"])
     members, scores, sizes, matrices, distances = [], [], [], [], list(distances_from_mean(base.model))
     for file in joined:
@@ -105,6 +106,7 @@ def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progres
             "left_out": len(quality) - len(old) - len(members),
         },
         "quality": quality,
+        "files": sorted(claimed(base.folder)),
     }
     with whole_file(base.folder / "model.npz") as out:
         np.savez_compressed(out, **arrays)  # type: ignore[arg-type]
@@ -112,8 +114,7 @@ def _write(base: Base, joined: list[MeshFile], left_out: dict[str, str], progres
     write_quality(base.folder / "quality.csv", quality)
     write_table(base.folder / "measures.csv", ["measure", "value"], content["measures"].items())
     write_report(_shown(base, content, arrays), base.folder / "report.html", progress)
-    with whole_file(base.folder / "collection.json") as out:
-        out.write(json.dumps(content, indent=1).encode())
+    write_content(base.folder, content)
 
 
 def _shown(base: Base, content: dict[str, Any], arrays: dict[str, np.ndarray]) -> Shown:

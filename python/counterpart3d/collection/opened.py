@@ -61,6 +61,8 @@ class Collection:
                 self._arrays = dict(file)
         except (OSError, ValueError) as error:
             raise InvalidInput(f"{self.folder}: holds no finished collection ({error}); run it again") from None
+        if "members" not in content:
+            raise InvalidInput(f"{self.folder}: holds no finished collection; run it again")
         self._content: dict[str, Any] = content
         self._store = Store(str((self.folder / "work").resolve()))
         self.names: list[str] = [member["name"] for member in content["members"]]

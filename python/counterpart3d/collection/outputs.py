@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import json
 import pathlib
 from typing import Any
 
@@ -15,20 +14,25 @@ from .._arrays import FloatArray
 from .made import Made, Member
 from .report import worst_pairs
 from .runner import Progress
-from .shapeworks import write_shapeworks
-from .statismo import write_statismo
+from .shapeworks import particle_files, write_shapeworks
+from .statismo import statismo_is_written, write_statismo
 from .store import whole_file
 from .tables import write_tables
+from .written import claim, remove_others, specimen_files, write_content
 
 N_MODE_MESHES, SIGMAS = 5, (-2, 2)
+FORMAT = 1  # of collection.json
 
 
 def write_outputs(made: Made, out: pathlib.Path, measures: dict[str, Any], progress: Progress) -> None:
     """All but the report and `collection.json`, which `write_manifest` writes last.
 
-    The one of an earlier run goes first: it does not hold for what is written now.
+    What that of an earlier run says does not hold for what is written now, so only its list of files stays, until all
+    is written; those that are not written again go first.
     """
-    (out / "collection.json").unlink(missing_ok=True)
+    files = files_of(made)
+    claim(out, files, {"format": FORMAT})
+    remove_others(out, files)
     for name in ("meshes", "maps", "modes", "landmarks"):
         (out / name).mkdir(parents=True, exist_ok=True)
     progress.start()
@@ -47,14 +51,23 @@ def write_outputs(made: Made, out: pathlib.Path, measures: dict[str, Any], progr
         for sigma in SIGMAS:
             scores = np.zeros(k + 1)
             scores[k] = sigma * np.sqrt(made.model.variances[k])
-            sign = "plus" if sigma > 0 else "minus"
-            write(
-                (made.model.shape(scores), made.model.triangles), out / "modes" / f"mode{k + 1}_{sign}_{abs(sigma)}.ply"
-            )
+            write((made.model.shape(scores), made.model.triangles), out / mode_file(k, sigma))
     write_model(made, out / "model.npz")
     write_tables(made, out, measures)
     write_shapeworks(made, out)
     write_statismo(made.model, out / "model.h5")
+
+
+def files_of(made: Made) -> set[str]:
+    """Those that another run may not write: of specimens, modes and landmarks."""
+    files = {mode_file(k, sigma) for k in range(min(N_MODE_MESHES, len(made.model.variances))) for sigma in SIGMAS}
+    for member in made.members():
+        files |= specimen_files(member.name, points=bool(made.points)) | particle_files(member.name)
+    return files | ({"landmarks.tps"} if made.points else set()) | ({"model.h5"} if statismo_is_written() else set())
+
+
+def mode_file(k: int, sigma: int) -> str:
+    return f"modes/mode{k + 1}_{'plus' if sigma > 0 else 'minus'}_{abs(sigma)}.ply"
 
 
 def _write_points(made: Made, member: Member, out: pathlib.Path) -> dict[str, FloatArray]:
@@ -98,7 +111,7 @@ def write_model(made: Made, path: pathlib.Path) -> None:
 def write_manifest(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> None:
     """collection.json: what the collection is made of; `Collection` reads it."""
     content = {
-        "format": 1,
+        "format": FORMAT,
         "keep_size": made.settings.same_scale,
         "template": made.registered.template,
         "root": made.specimens[made.network.tree.root].name,
@@ -123,6 +136,6 @@ def write_manifest(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> N
         "notices": made.registered.notices,
         "quality": made.quality,
         "pairs": worst_pairs(made),
+        "files": sorted(files_of(made)),
     }
-    with whole_file(out / "collection.json") as file:
-        file.write(json.dumps(content, indent=1).encode())
+    write_content(out, content)

@@ -17,6 +17,10 @@ from .surfaces import farthest_points
 N_PARTICLES = 2048
 
 
+def particle_files(name: str) -> set[str]:
+    return {f"shapeworks/particles/{name}_{kind}.particles" for kind in ("local", "world")}
+
+
 def write_shapeworks(made: Made, out: pathlib.Path) -> None:
     """shapeworks/collection.swproj, and the particles of each specimen in its own frame and in the common one."""
     folder = out / "shapeworks"

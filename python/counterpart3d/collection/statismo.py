@@ -14,9 +14,14 @@ from .statistics import Model
 from .store import whole_file
 
 
+def statismo_is_written() -> bool:
+    """Whether h5py is installed."""
+    return importlib.util.find_spec("h5py") is not None
+
+
 def write_statismo(model: Model, path: pathlib.Path) -> bool:
     """A statistical shape model of format 0.9. False if h5py is not installed."""
-    if importlib.util.find_spec("h5py") is None:
+    if not statismo_is_written():
         return False
     import h5py
 

@@ -299,6 +299,7 @@ def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch,
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
         patch.setattr(addition, "whole_file", killed)
         patch.setattr(tables, "whole_file", killed)
+        patch.setattr(addition, "write_content", lambda out, _: killed(out / "collection.json"))
         Collection(out).add(new, **QUICK)
     assert opened(out) == before
     found = Collection(out).add(new, **QUICK)
