@@ -35,6 +35,11 @@ def _collection_parser() -> argparse.ArgumentParser:
     add("-o", "--output", metavar="OUT", required=True, help="folder to write to; it keeps what has been computed")
     add("--template", metavar="MESH", help="whose triangles all get; default: the specimen in the middle")
     add("--landmarks", metavar="FILE", help="points on one specimen, carried to all; the file is named like it")
+    add(
+        "--landmark-axes",
+        choices=["LPS", "RAS"],
+        help="what the meshes are in: landmarks whose file says otherwise are turned to it (default: as they are)",
+    )
     add("--semi", metavar="N", type=int, default=0, help="so many evenly spread points on all (default: 0)")
     add(
         "--mirror",
@@ -95,6 +100,7 @@ def _make(given: argparse.Namespace) -> None:
         given.output,
         template=given.template,
         landmarks=given.landmarks,
+        landmark_axes=given.landmark_axes,
         semi=given.semi,
         mirror=given.mirror,
         same_scale=given.same_scale,
@@ -116,7 +122,7 @@ def _make(given: argparse.Namespace) -> None:
 
 
 def _refuse_beside_add(given: argparse.Namespace) -> None:
-    for name in ("template", "landmarks", "semi", "same_scale", "sequence"):
+    for name in ("template", "landmarks", "landmark_axes", "semi", "same_scale", "sequence"):
         if getattr(given, name):
             raise InvalidInput(
                 f"--{name.replace('_', '-')} is not used with --add: the collection stays as it was made"

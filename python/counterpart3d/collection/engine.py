@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from .. import InvalidInput, Landmarks, SurfaceMap
+from .. import InvalidInput, IoError, Landmarks, SurfaceMap, read
 from .agreement import disagreement
 from .choice import Network, network_of
 from .correspondence import corners_of
 from .folder import MeshFile, mesh_file, meshes_in
 from .made import Made
 from .outputs import write_manifest, write_outputs
-from .points import checked_landmarks, on_template, semi_landmarks, specimen_of
+from .points import checked_landmarks, on_template, require_on, semi_landmarks, specimen_of
 from .quality import quality
 from .report import shown, write_report
 from .rounds import Registered, agreed_specimens, registered_specimens
@@ -133,8 +133,17 @@ def _landmarks_on(files: list[MeshFile], settings: Settings) -> str | None:
     """The specimen that the landmarks are on, before any work is done."""
     if settings.landmarks is None:
         return None
-    checked_landmarks(settings.landmarks)
-    return specimen_of(settings.landmarks, [file.name for file in files])
+    landmarks = checked_landmarks(settings.landmarks, settings.landmark_axes)
+    name = specimen_of(settings.landmarks, [file.name for file in files])
+    try:
+        mesh = read(next(file.path for file in files if file.name == name))
+    except (InvalidInput, IoError):
+        return name  # which is said where the meshes are prepared
+    try:
+        require_on(landmarks.points, mesh)
+    except InvalidInput as error:
+        raise InvalidInput(f"{settings.landmarks}: {error}") from None
+    return name
 
 
 def _points(
@@ -150,7 +159,7 @@ def _points(
     points: dict[str, SurfaceMap] = {}
     landmarks = None
     if settings.landmarks is not None:
-        landmarks = checked_landmarks(settings.landmarks)
+        landmarks = checked_landmarks(settings.landmarks, settings.landmark_axes)
         i = [specimen.name for specimen in specimens].index(named or "")
         if i in registered.members:
             fitted = store.get("registrations", registered.keys[registered.members.index(i)])["vertices"]

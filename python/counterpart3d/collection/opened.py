@@ -13,9 +13,11 @@ import numpy as np
 
 from .. import InvalidInput, Mesh, SurfaceMap
 from .._arrays import FloatArray, IntArray
+from .._landmarks import Axes
 from .addition import Base, add
 from .correspondence import template_points, vertices_at
 from .engine import build
+from .points import require_on
 from .retrieval import Answer, retrieve
 from .runner import Progress, running
 from .settings import Mirror, Pairs, Settings
@@ -24,6 +26,7 @@ from .statistics import Model
 from .store import Arrays, Store
 
 PathLike = str | os.PathLike[str]
+N_CHECKED = 100  # of points that are carried: those farthest from the surface
 
 
 class Collection:
@@ -85,6 +88,7 @@ class Collection:
         *,
         template: PathLike | None = None,
         landmarks: PathLike | None = None,
+        landmark_axes: Axes | None = None,
         semi: int = 0,
         mirror: Mirror = "never",
         same_scale: bool = False,
@@ -103,7 +107,7 @@ class Collection:
             One mesh for each specimen.
         out : path
             Folder to write to; it keeps the results of all stages in `work`.
-        template, landmarks, semi, mirror, same_scale, pairs, rounds, seed
+        template, landmarks, landmark_axes, semi, mirror, same_scale, pairs, rounds, seed
             See `Settings`.
         scheduler : str, optional
             Address of a Dask scheduler, which sees `folder` and `out` under the same paths; "inline" for this process;
@@ -129,6 +133,7 @@ class Collection:
             pairs,
             rounds,
             seed,
+            landmark_axes,
         )
         lines = Progress(not progress)
         with running(scheduler, workers, lines.say) as runner:
@@ -169,12 +174,22 @@ class Collection:
         return image
 
     def carry(self, points: Any, source: str, target: str) -> FloatArray:
-        """Points on one specimen, (n, 3) in its frame, on another, in its."""
+        """Points on one specimen, (n, 3) in its frame, on another, in its.
+
+        Raises
+        ------
+        InvalidInput
+            A coordinate is not finite, or a point lies far from the specimen: it is in another frame (LPS and RAS) or unit.
+        """
         from .surfaces import nearest_points
 
         begin, end = self.mesh(source), self.mesh(target)
         at = np.asarray(points, float).reshape(-1, 3)
-        triangle, weights, _ = nearest_points(at, begin.vertices, begin.triangles)
+        if not np.isfinite(at).all():
+            raise InvalidInput("a point has a coordinate that is not finite")
+        triangle, weights, distance = nearest_points(at, begin.vertices, begin.triangles)
+        farthest = np.argsort(-distance)[:N_CHECKED]
+        require_on({str(i): at[i] for i in farthest}, mesh_of(self._shape(source)))
         result: FloatArray = np.einsum("nk,nkd->nd", weights, end.vertices[begin.triangles[triangle]])
         return result
 

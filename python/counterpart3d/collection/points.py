@@ -4,13 +4,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import pathlib
+from collections.abc import Mapping
 
 import numpy as np
 
-from .. import InvalidInput, Landmarks, SurfaceMap, read_landmarks
+from .. import InvalidInput, Landmarks, Mesh, SurfaceMap, landmark_pairs, read_landmarks
 from .._arrays import FloatArray, IntArray
+from .._landmarks import Axes
 from .surfaces import farthest_points, nearest_points
 
 ENDINGS = (".mrk.json", ".fcsv", ".json", ".csv")
@@ -44,8 +47,23 @@ def semi_landmarks(mean: FloatArray, count: int) -> IntArray:
     return farthest_points(mean, count)
 
 
-def checked_landmarks(file: str) -> Landmarks:
+def checked_landmarks(file: str, axes: Axes | None) -> Landmarks:
+    """Those of a file, turned to the axes of the meshes, which those of a file that says none have."""
     found = read_landmarks(file)
     if not found.points:
         raise InvalidInput(f"{file}: holds no landmarks")
-    return found
+    if axes is None or found.axes == axes:
+        return found
+    return read_landmarks(file, axes=axes) if found.axes else dataclasses.replace(found, axes=axes)
+
+
+def require_on(points: Mapping[str, FloatArray], mesh: Mesh) -> None:
+    """Refuse points that are not on a mesh: they would be moved to wherever it is nearest.
+
+    Raises
+    ------
+    InvalidInput
+        They were set in another frame (LPS and RAS) or unit.
+    """
+    if points:
+        landmark_pairs(mesh, mesh, points, points)

@@ -10,6 +10,7 @@ from typing import Literal
 
 from .. import InvalidInput
 from .._arrays import flag
+from .._landmarks import Axes
 
 Mirror = Literal["never", "auto"]
 Pairs = Literal["sparse", "sequence", "all"]
@@ -37,6 +38,8 @@ class Settings:
         Most rounds in which the mean becomes the new template, 1 .. 10.
     seed : int
         Of the random pairs.
+    landmark_axes : {"LPS", "RAS"} or None
+        What the meshes are in: landmarks whose file says otherwise are turned to it.
     """
 
     template: str | None = None
@@ -47,6 +50,7 @@ class Settings:
     pairs: Pairs = "sparse"
     rounds: int = 3
     seed: int = 0
+    landmark_axes: Axes | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "same_scale", flag(self.same_scale, "same_scale"))
@@ -59,6 +63,8 @@ class Settings:
             raise InvalidInput(f"mirror must be never or auto, not {self.mirror!r}")
         if self.pairs not in ("sparse", "sequence", "all"):
             raise InvalidInput(f"pairs must be sparse, sequence or all, not {self.pairs!r}")
+        if self.landmark_axes not in (None, "LPS", "RAS"):
+            raise InvalidInput(f"landmark_axes must be LPS or RAS, not {self.landmark_axes!r}")
         if not 1 <= self.rounds <= 10:
             raise InvalidInput(f"rounds must be 1 .. 10, not {self.rounds}")
         if not 0 <= self.semi <= 100_000:
