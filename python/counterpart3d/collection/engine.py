@@ -43,16 +43,20 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     store = Store(os.path.abspath(target / "work"))
     files = meshes_in(folder)
     apart = _template_apart(files.meshes, settings)
-    named = _landmarks_on([*files.meshes, *apart], settings)
+    named = _landmarks_on([*files.meshes, *apart], files.left_out, settings)
     target.mkdir(parents=True, exist_ok=True)
     specimens, left_out = prepared_specimens(runner, store, [*files.meshes, *apart], progress)
     left_out = {**files.left_out, **left_out}
+    _refuse_landmarks_on(named, left_out, settings)
     root = _root(specimens, settings)
     if len(specimens) - len(apart) < 2:
         raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out)}")
     alone = root if apart else None
     network = network_of(runner, store, specimens, settings, progress, root, alone)
-    progress.say(f"{specimens[network.tree.root].name} is the template")
+    template = network.tree.root
+    strange = {specimens[i].name: why for i, why in network.strangers.items() if i != template}
+    _refuse_landmarks_on(named, strange, settings)
+    progress.say(f"{specimens[template].name} is the template")
     registered = registered_specimens(runner, store, specimens, network, settings, progress, alone)
     registered = agreed_specimens(runner, store, specimens, network, settings, registered, progress)
     model = principal_modes(registered.alignment.aligned, registered.triangles, registered.weights)
@@ -129,12 +133,13 @@ def _root(specimens: list[Specimen], settings: Settings) -> int | None:
     raise InvalidInput(f"{settings.template}: the template cannot be used")
 
 
-def _landmarks_on(files: list[MeshFile], settings: Settings) -> str | None:
+def _landmarks_on(files: list[MeshFile], left_out: dict[str, str], settings: Settings) -> str | None:
     """The specimen that the landmarks are on, before any work is done."""
     if settings.landmarks is None:
         return None
     landmarks = checked_landmarks(settings.landmarks, settings.landmark_axes)
-    name = specimen_of(settings.landmarks, [file.name for file in files])
+    name = specimen_of(settings.landmarks, [*(file.name for file in files), *left_out])
+    _refuse_landmarks_on(name, left_out, settings)
     try:
         mesh = read(next(file.path for file in files if file.name == name))
     except (InvalidInput, IoError):
@@ -144,6 +149,11 @@ def _landmarks_on(files: list[MeshFile], settings: Settings) -> str | None:
     except InvalidInput as error:
         raise InvalidInput(f"{settings.landmarks}: {error}") from None
     return name
+
+
+def _refuse_landmarks_on(name: str | None, left_out: dict[str, str], settings: Settings) -> None:
+    if name is not None and name in left_out:
+        raise InvalidInput(f"{settings.landmarks}: {name}, which they are on, is left out: {left_out[name]}")
 
 
 def _points(

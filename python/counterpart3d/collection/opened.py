@@ -179,7 +179,7 @@ class Collection:
         Raises
         ------
         InvalidInput
-            A coordinate is not finite, or a point lies far from the specimen: it is in another frame (LPS and RAS) or unit.
+            A coordinate is not finite, or a point lies far from the specimen: in another frame (LPS and RAS) or unit.
         """
         from .surfaces import nearest_points
 

@@ -13,7 +13,7 @@ from counterpart3d.collection.command_line import collection as command
 from .conftest import write_family
 
 QUICK = {"scheduler": "inline", "progress": False, "rounds": 1}
-TURNED = np.array([-1, -1, 1])
+TURNED, FAR = np.array([-1, -1, 1]), np.array([60, 0, 0])
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def build(root, marks, axes, **settings):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda point: point + [60, 0, 0], "set in another frame or unit"),
+        (lambda point: point + FAR, "set in another frame or unit"),
         (lambda point: point * TURNED, "one of them is LPS, the other RAS"),
     ],
 )
@@ -72,6 +72,23 @@ def test_points_that_are_not_on_a_specimen_are_not_carried(shapes):
     found = build(root, marks, "LPS")
     points = np.array(list(marks.values()))
     assert found.carry(points, "shape0", "shape1").shape == (3, 3)
-    for wrong, words in ((points + [60, 0, 0], "another frame"), (points * TURNED, "LPS"), (points * np.nan, "finite")):
+    for wrong, words in ((points + FAR, "another frame"), (points * TURNED, "LPS"), (points * np.nan, "finite")):
         with pytest.raises(cp.InvalidInput, match=words):
             found.carry(wrong, "shape0", "shape1")
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("broken", "broken, which they are on, is left out: .*broken.off:4"),
+        ("twin", "twin, which they are on, is left out: has the same content as shape3"),
+        ("ring", "ring, which they are on, is left out: does not belong"),
+    ],
+)
+def test_landmarks_on_a_mesh_that_is_left_out_are_refused_before_it_is_fitted(folder, tmp_path, name, words):
+    corner = {"broken": [0, 0, 0], "twin": [0, 0, 0], "ring": cp.make_torus(12, 6).vertices[0]}[name]
+    cp.write_landmarks({"a": corner}, tmp_path / f"{name}.mrk.json", axes="LPS")
+    with pytest.raises(cp.InvalidInput, match=words):
+        Collection.build(folder[0], tmp_path / "out", landmarks=tmp_path / f"{name}.mrk.json", **QUICK)
+    assert not (tmp_path / "out" / "work" / "registrations").exists()
+    assert name == "ring" or not (tmp_path / "out" / "work" / "pairs").exists()
