@@ -54,8 +54,8 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
     ]
     specimens, left_out = prepared_specimens(runner, base.store, files, progress)
     members = [(m["shape"], m["registration"], bool(m["mirrored"])) for m in base.content["members"]]
-    template = base.content["template"]
-    items = [(base.store, template, specimen.file.content, members) for specimen in specimens]
+    template, usual = base.content["template"], base.content["usual_confidence"]
+    items = [(base.store, template, specimen.file.content, members, usual) for specimen in specimens]
     left_out = {**{_free(name, names): why for name, why in found.left_out.items()}, **left_out}
     joined: list[MeshFile] = []
     progress.start()
@@ -64,6 +64,7 @@ def add(base: Base, folder: str, runner: Runner, progress: Progress) -> None:
             joined.append(specimens[i].file)
         else:
             left_out[specimens[i].name] = message
+            progress.say(f"{specimens[i].name} is left out: {message}")
         progress.step("joined", done + 1, len(items))
     _write(base, sorted(joined, key=lambda file: in_natural_order(file.name)), left_out, progress)
 

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from .. import InvalidInput
-from .._arrays import IntArray
+from .._arrays import FloatArray, IntArray
 from . import chirality, cycles, graph
 from .graph import Edge
 from .pairs import match_pair, pair_key
@@ -42,6 +42,8 @@ class Network:
     strangers : dict of int to str
         Specimens that do not belong, and why.
     failures : dict of Edge to str
+    usual_confidence : float
+        Median of the specimens' best.
     """
 
     families: Mapping[Edge, cycles.Family]
@@ -52,6 +54,7 @@ class Network:
     mirrored: np.ndarray
     strangers: dict[int, str]
     failures: dict[Edge, str]
+    usual_confidence: float
 
     def step(self, i: int, j: int) -> IntArray:
         """The chosen map from a specimen to a neighbor."""
@@ -107,10 +110,11 @@ def network_of(
     shapes = [specimen.points(store) for specimen in specimens]
     choice = cycles.choose({e: f for e, f in families.items() if e not in kept_out}, shapes)
     confidence = {edge: float(loaded[edge]["confidence"][rows].max()) for edge, rows in numbers.items() if len(rows)}
+    most = most_confident(len(specimens), confidence)
     strangers = strangers_among(len(specimens), choice, confidence)
     allowed = np.array([i not in strangers and not mirrored[i] for i in range(len(specimens))])
     tree = spanning_tree(len(specimens), choice.corruption, allowed, root)
-    return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures)
+    return Network(families, numbers, choice, kept_out, tree, mirrored, strangers, failures, float(np.median(most)))
 
 
 def pairs_to_match(
@@ -129,20 +133,30 @@ def strangers_among(n: int, choice: cycles.Choice, confidence: Mapping[Edge, flo
     """Specimens all of whose maps disagree with those around them, or are far less confident than is usual here."""
     if n < 4:
         return {}
-    least, most = np.full(n, np.inf), np.zeros(n)
+    least, most = np.full(n, np.inf), most_confident(n, confidence)
     for edge, corruption in choice.corruption.items():
         least[list(edge)] = np.minimum(least[list(edge)], corruption)
+    usual = float(np.median(most))
+    said = {i: strangeness(float(least[i]), float(most[i]), usual) for i in range(n)}
+    found = {i: why for i, why in said.items() if why is not None}
+    return {} if 2 * len(found) >= n else found
+
+
+def most_confident(n: int, confidence: Mapping[Edge, float]) -> FloatArray:
+    """Of each specimen, the confidence of its best map, (n,)."""
+    most = np.zeros(n)
     for edge, value in confidence.items():
         most[list(edge)] = np.maximum(most[list(edge)], value)
-    found = {
-        int(i): "no map to or from it agrees with the maps between the others" for i in np.flatnonzero(least > STRANGE)
-    }
-    doubtful = np.flatnonzero(most < DOUBTFUL * np.median(most))
-    found |= {
-        int(i): f"its best map has a confidence of {most[i]:.2f}, where {np.median(most):.2f} is usual"
-        for i in doubtful
-    }
-    return {} if 2 * len(found) >= n else {i: f"does not belong: {why}" for i, why in found.items()}
+    return most
+
+
+def strangeness(least: float, confidence: float, usual: float) -> str | None:
+    """Why a specimen does not belong: by the least corruption of its maps, or the confidence of the best."""
+    if confidence < DOUBTFUL * usual:
+        return f"does not belong: its best map has a confidence of {confidence:.2f}, where {usual:.2f} is usual"
+    if least > STRANGE:
+        return "does not belong: no map to or from it agrees with the maps between the others"
+    return None
 
 
 def _best(found: Mapping[str, np.ndarray], mirrored: bool) -> float:

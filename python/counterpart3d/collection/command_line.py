@@ -91,7 +91,11 @@ def _make(given: argparse.Namespace) -> None:
         found = Collection(given.output).add(
             given.folder, scheduler=given.scheduler, workers=given.workers, progress=not given.quiet
         )
-        print(f"{len(found.names)} specimens in {given.output}: see {given.output}/quality.csv")
+        print(
+            f"{len(found.names)} specimens in {given.output}, {len(found.left_out)} left out: "
+            f"see {given.output}/quality.csv"
+        )
+        _print_left_out(found.left_out)
         return
     if given.sequence and given.pairs == "all":
         raise InvalidInput("--sequence and --pairs all: say one")
@@ -115,10 +119,14 @@ def _make(given: argparse.Namespace) -> None:
         f"{len(found.names)} specimens in one correspondence, {len(found.left_out)} left out: "
         f"{given.output}/report.html"
     )
-    for name, why in found.left_out.items():
-        print(f"  {name}: {why}")
+    _print_left_out(found.left_out)
     for sentence in found.notices:
         print(f"  note: {sentence}")
+
+
+def _print_left_out(left_out: dict[str, str]) -> None:
+    for name, why in left_out.items():
+        print(f"  {name}: {why}")
 
 
 def _refuse_beside_add(given: argparse.Namespace) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._arrays import IntArray
 from .agreement import between
+from .belonging import LEAST_JUDGED, Member, strangeness_among
 from .correspondence import nearest_vertices
 from .pairs import match_pair, pair_key
 from .registration import register, registration_key
@@ -19,30 +20,33 @@ from .shapes import shape_key
 from .store import Store, key_of
 
 N_NEIGHBORS = 3
-Member = tuple[str, str, bool]
-"""Keys of the `shapes` and the `registrations` of a specimen, and whether it is mirrored."""
 
 
-def join(store: Store, template: str, content: str, members: Sequence[Member]) -> str | None:
+def join(store: Store, template: str, content: str, members: Sequence[Member], usual_confidence: float) -> str | None:
     """Register a new specimen through the three nearest ones: the result `registrations` under `joined_key`.
 
-    Returns the message of a failure.
+    Returns the message of a failure, or why it does not belong.
     """
     key = shape_key(content)
     nearest = nearest_by_descriptor(store, key, [member[0] for member in members], N_NEIGHBORS)[0]
-    candidates, neighbors = [], []
+    candidates, neighbors, pairs = [], [], []
     for i in nearest:
         shape, registration, mirrored = members[i]
         message = match_pair(store, shape, key, mirrored)
         if message is not None:
             continue
         found = store.get("pairs", pair_key(shape, key, mirrored))
+        pairs.append((members[i], found))
         forward = found["forward"][found["mirrored"] == mirrored][0]
         scan = store.get("shapes", shape)["vertices"] * ([-1, 1, 1] if mirrored else 1)
         neighbors.append((members[i], forward))
         candidates.append(forward[nearest_vertices(store.get("registrations", registration)["vertices"], scan)])
     if not candidates:
         return "it could not be matched with any of the specimens nearest to it"
+    if len(members) >= LEAST_JUDGED:
+        why = strangeness_among(store, key, pairs, usual_confidence)
+        if why is not None:
+            return why
     vertices = store.get("shapes", key)["vertices"]
     image = candidates[agreed(vertices[np.stack(candidates)])]
     start = start_key(image)

@@ -115,6 +115,7 @@ def write_manifest(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> N
         "keep_size": made.settings.same_scale,
         "template": made.registered.template,
         "root": made.specimens[made.network.tree.root].name,
+        "usual_confidence": made.network.usual_confidence,
         "members": [
             {
                 "name": member.name,

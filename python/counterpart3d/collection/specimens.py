@@ -36,8 +36,12 @@ class Specimen:
 
     def points(self, store: Store) -> Points:
         """Its vertices at unit area, and its samples."""
-        shape = self.shape(store)
-        return Points((shape["vertices"] / shape["area"] ** 0.5).astype("f4"), shape["samples"])
+        return points_of(self.shape(store))
+
+
+def points_of(shape: Arrays) -> Points:
+    """The same of a result `shapes`."""
+    return Points((shape["vertices"] / shape["area"] ** 0.5).astype("f4"), shape["samples"])
 
 
 def prepared_specimens(

@@ -227,6 +227,20 @@ def test_new_specimens_join(made, tmp_path):
     assert again.names == found.names
 
 
+def test_what_does_not_belong_does_not_join_and_it_is_said(made, tmp_path, capsys):
+    rebuilt(made, tmp_path)
+    out = tmp_path / "out"
+    write_family(tmp_path / "new", 2, seed=5)
+    cp.write(cp.make_torus(14, 7), tmp_path / "new" / "alien.ply")
+    assert command([str(tmp_path / "new"), "-o", str(out), "--add", "-q", "--scheduler", "inline"]) == 0
+    found = Collection(out)
+    assert found.names == [*NAMES, "new0", "new1"] and "does not belong" in found.left_out["alien"]
+    said = capsys.readouterr().out
+    assert f"8 specimens in {out}, {len(found.left_out)} left out" in said
+    assert f"  alien: {found.left_out['alien']}\n" in said
+    assert not (out / "meshes" / "alien.ply").exists()
+
+
 @pytest.mark.parametrize("last", ["write_tables", "write_report"])
 def test_what_is_written_in_part_is_no_collection(tmp_path, monkeypatch, last):
     """An earlier run's collection.json does not stand for the files of one that was killed."""
