@@ -10,10 +10,12 @@ import importlib.util
 import itertools
 import os
 import queue
+import signal
 import statistics
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from multiprocessing import resource_tracker
 from typing import Any, Protocol
 
 from .. import Canceled, InvalidInput
@@ -178,7 +180,7 @@ def running(
             ENVIRONMENT: _without_trimming(dask.config.get(ENVIRONMENT)),
         }
     )
-    with settings, _local_cluster(count) as cluster, distributed.Client(cluster) as client:  # type: ignore[no-untyped-call]
+    with settings, _started_deaf_to_ctrl_c(count) as cluster, distributed.Client(cluster) as client:  # type: ignore[no-untyped-call]
         if importlib.util.find_spec("bokeh"):
             _tell_dashboard(client, say)
         yield OnDask(client, lambda: cluster.scale(count))
@@ -200,6 +202,21 @@ def _tell_dashboard(client: Any, say: Callable[[str], None]) -> None:
     except KeyError:  # it has none, or Dask's template for it names an unknown variable
         return
     say(f"dashboard: {link}")
+
+
+def _started_deaf_to_ctrl_c(count: int) -> Any:
+    """The cluster, whose processes do not hear the Ctrl-C that a terminal sends to all: this one ends them.
+
+    A thread inherits which signals are blocked, and so do the processes that it starts, also those that replace others.
+    """
+    if not hasattr(signal, "pthread_sigmask"):
+        return _local_cluster(count)
+    resource_tracker.ensure_running()  # it would unblock the signal where it is started
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        return _local_cluster(count)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _local_cluster(count: int) -> Any:

@@ -185,6 +185,19 @@ def test_processes_make_what_one_makes(tmp_path):
     check_same(tmp_path / "out", once.folder)
 
 
+@pytest.mark.parametrize("stage", ["shapes", "pairs"])
+def test_ctrl_c_in_a_terminal_says_one_line(tmp_path, stage):
+    """It goes to all processes at once, while the workers work."""
+    write_family(tmp_path / "in", 12)
+    arguments = program(tmp_path / "in", "-o", tmp_path / "out")
+    process = subprocess.Popen(arguments, start_new_session=True, stderr=subprocess.PIPE, text=True)
+    while not list((tmp_path / "out" / "work").glob(f"{stage}/*.npz")) and process.poll() is None:
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    said = process.communicate(timeout=120)[1]
+    assert process.returncode == 130 and said == "interrupted; run it again to go on\n"
+
+
 @pytest.mark.slow
 def test_a_killed_run_goes_on_and_ends_the_same(tmp_path):
     """Client, scheduler and both workers are killed at once, twice; then it is left to end."""
