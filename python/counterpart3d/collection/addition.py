@@ -135,6 +135,7 @@ def _shown(base: Base, content: dict[str, Any], arrays: dict[str, np.ndarray]) -
         content["notices"],
         content["pairs"],
         content["measures"],
+        content["mirror"],
     )
 
 

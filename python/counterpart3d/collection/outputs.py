@@ -113,6 +113,7 @@ def write_manifest(made: Made, out: pathlib.Path, measures: dict[str, Any]) -> N
     content = {
         "format": FORMAT,
         "keep_size": made.settings.same_scale,
+        "mirror": made.settings.mirror == "auto",
         "template": made.registered.template,
         "root": made.specimens[made.network.tree.root].name,
         "usual_confidence": made.network.usual_confidence,

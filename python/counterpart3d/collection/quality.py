@@ -87,6 +87,4 @@ def remark(row: Row) -> str:
         said.append("the template's mesh is folded on it")
     if row["outlier"] > SUSPECT_OUTLIER:  # type: ignore[operator]
         said.append("it is unlike the others")
-    if row["mirrored"]:
-        said.append("it is a mirror image of most others")
     return "; ".join(said)

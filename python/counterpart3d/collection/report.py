@@ -45,6 +45,8 @@ class Shown:
     pairs : list of (str, str, float, bool)
         Those that disagree most: names, error, whether it was kept out of the choice.
     measures : dict
+    mirror : bool
+        Mirror images were looked for.
     """
 
     model: Model
@@ -54,6 +56,7 @@ class Shown:
     notices: list[str]
     pairs: list[Pair]
     measures: dict[str, Any]
+    mirror: bool
 
 
 def shown(made: Made, measures: dict[str, Any]) -> Shown:
@@ -61,7 +64,8 @@ def shown(made: Made, measures: dict[str, Any]) -> Shown:
     members = made.members()
     names = [member.name for member in members]
     aligned = lambda place: members[place].aligned()  # noqa: E731
-    return Shown(made.model, names, aligned, made.quality, made.registered.notices, worst_pairs(made), measures)
+    mirror = made.settings.mirror == "auto"
+    return Shown(made.model, names, aligned, made.quality, made.registered.notices, worst_pairs(made), measures, mirror)
 
 
 def worst_pairs(made: Made) -> list[Pair]:
@@ -194,10 +198,13 @@ def _notices(made: Shown) -> str:
         said.append(
             f"{bad} files or specimens have a remark in the table below. Look at their pictures: colors that sit "
             "elsewhere than on the others show a wrong map. Landmarks on one of them, a template nearer to them, "
-            "--pairs all or, where left and right are mixed, --mirror auto help; what does not belong is best taken "
-            "out of the folder."
+            f"{_other_help(made.mirror)}; what does not belong is best taken out of the folder."
         )
     return "\n".join(f"<p class=notice>{html.escape(sentence)}.</p>".replace("..<", ".<") for sentence in said)
+
+
+def _other_help(mirror: bool) -> str:
+    return "or --pairs all help" if mirror else "--pairs all or, where left and right are mixed, --mirror auto help"
 
 
 def _table(made: Shown) -> str:
@@ -211,6 +218,7 @@ def _table(made: Shown) -> str:
         "cycle_error": "cycle error",
         "confidence": "confidence",
         "outlier": "unusual",
+        "mirrored": "mirror image",
         "remark": "remark",
     }
     percent = {"norm_mean", "scan_norm_mean", "coverage", "turned_triangles"}
@@ -220,7 +228,9 @@ def _table(made: Shown) -> str:
         cells = []
         for name in columns:
             value = row.get(name, "")
-            if isinstance(value, float):
+            if isinstance(value, bool):
+                value = "yes" if value else ""
+            elif isinstance(value, float):
                 value = f"{100 * value:.3g}" if name in percent else f"{value:.3g}"
             cells.append(f"<td>{html.escape(str(value))}</td>")
         rows.append(f'<tr class="{"suspect" if row["remark"] else "fine"}">{"".join(cells)}</tr>')

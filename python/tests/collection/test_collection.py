@@ -149,7 +149,11 @@ def test_mirror_images_are_found(tmp_path):
     truth, _ = write_family(tmp_path / "in", 3, mirrored=(1,))
     found = Collection.build(tmp_path / "in", tmp_path / "out", mirror="auto", rounds=1, **QUICK)
     rows = csv.DictReader((found.folder / "quality.csv").open(newline=""))
-    assert {row["subject"] for row in rows if row["mirrored"] == "true"} == {"shape1"}
+    rows = {row["subject"]: row for row in rows}
+    assert {name for name, row in rows.items() if row["mirrored"] == "true"} == {"shape1"}
+    assert rows["shape1"]["remark"] == ""  # it was found, and is no trouble
+    report = (found.folder / "report.html").read_text()
+    assert ">mirror image</th>" in report and report.count("<td>yes</td>") == 1
     for a, b in [("shape1", "shape0"), ("shape2", "shape1"), ("shape2", "shape0")]:
         mesh = cp.read(tmp_path / "in" / f"{b}.ply")
         gap = mesh.vertices[found.map(a, b)[truth[a]]] - mesh.vertices[truth[b]]

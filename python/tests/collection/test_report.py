@@ -45,8 +45,13 @@ def test_it_says_what_helps_where_specimens_have_remarks(report):
 @pytest.mark.parametrize(("bad", "said"), [(0, None), (2, "2 files or specimens have"), (6, "6 of 10 files have")])
 def test_a_remark_that_most_have_says_little_of_one(bad, said):
     rows = [{"remark": "folded" if i < bad else ""} for i in range(10)]
-    found = _notices(SimpleNamespace(notices=[], quality=rows))
+    found = _notices(SimpleNamespace(notices=[], quality=rows, mirror=False))
     assert found == "" if said is None else said in found
+
+
+def test_it_does_not_advise_what_was_given():
+    found = _notices(SimpleNamespace(notices=[], quality=[{"remark": "folded"}] * 4, mirror=True))
+    assert "a template nearer to them, or --pairs all help" in found and "--mirror" not in found
 
 
 def test_its_plots_need_no_script(report):
