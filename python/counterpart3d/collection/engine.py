@@ -44,13 +44,15 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     files = meshes_in(folder)
     apart = _template_apart(files.meshes, settings)
     named = _landmarks_on([*files.meshes, *apart], files.left_out, settings)
-    target.mkdir(parents=True, exist_ok=True)
+    _make_folder(target)
     specimens, left_out = prepared_specimens(runner, store, [*files.meshes, *apart], progress)
     left_out = {**files.left_out, **left_out}
     _refuse_landmarks_on(named, left_out, settings)
     root = _root(specimens, settings)
     if len(specimens) - len(apart) < 2:
-        raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out)}")
+        raise InvalidInput(
+            f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out, len(specimens) - len(apart))}"
+        )
     alone = root if apart else None
     network = network_of(runner, store, specimens, settings, progress, root, alone)
     template = network.tree.root
@@ -82,6 +84,13 @@ def refuse_inside(out: pathlib.Path, folder: str) -> None:
     target, source = out.resolve(), pathlib.Path(folder).resolve()
     if target == source or source in target.parents:
         raise InvalidInput(f"{out}: lies in {folder}, the folder of the meshes: write to another folder")
+
+
+def _make_folder(out: pathlib.Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except (FileExistsError, NotADirectoryError):
+        raise InvalidInput(f"{out}: is a file, or lies in one: write to a folder") from None
 
 
 def measured(made: Made) -> dict[str, Any]:
@@ -186,5 +195,6 @@ def _points(
     return points, landmarks
 
 
-def _first(left_out: dict[str, str]) -> str:
-    return next((f"{name}: {why}" for name, why in left_out.items()), "the others failed")
+def _first(left_out: dict[str, str], found: int) -> str:
+    only = "there is only one" if found else "there is none beside the template"
+    return next((f"{name}: {why}" for name, why in left_out.items()), only)

@@ -29,6 +29,13 @@ PathLike = str | os.PathLike[str]
 N_CHECKED = 100  # of points that are carried: those farthest from the surface
 
 
+def _require_begun(folder: pathlib.Path) -> None:
+    if not folder.is_dir():
+        raise InvalidInput(f"{folder}: no such folder")
+    if not ((folder / "collection.json").exists() or (folder / "work").is_dir()):
+        raise InvalidInput(f"{folder}: is not a collection: choose a folder that one was written to")
+
+
 class Collection:
     """All meshes of a folder in one correspondence.
 
@@ -58,6 +65,7 @@ class Collection:
 
     def __init__(self, folder: PathLike) -> None:
         self.folder = pathlib.Path(folder)
+        _require_begun(self.folder)
         try:
             content = json.loads((self.folder / "collection.json").read_text())
             with np.load(self.folder / "model.npz", allow_pickle=False) as file:

@@ -331,13 +331,18 @@ def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch,
     ("arguments", "words"),
     [
         (["none", "-o", "out"], "no such folder"),
-        (["one", "-o", "out"], "two meshes or more"),
+        (["one", "-o", "out"], "two meshes or more that can be used; there is only one"),
+        (["one", "-o", "out", "--template", "one/ball.ply"], "two meshes or more that can be used; there is only one"),
+        (["one", "-o", "file"], "file: is a file, or lies in one: write to a folder"),
+        (["one", "-o", "file/out"], "file/out: is a file, or lies in one: write to a folder"),
         (["one", "-o", "one"], "lies in one, the folder of the meshes"),
         (["one", "-o", "one/out"], "lies in one, the folder of the meshes"),
         (["one", "-o", "out", "--rounds", "0"], "rounds must be 1 .. 10"),
         (["one", "-o", "out", "--landmarks", "lost.mrk.json"], "lost.mrk.json"),
         (["one", "-o", "out", "--template", "lost.ply"], "lost.ply"),
-        (["one", "-o", "none", "--add"], "no finished collection"),
+        (["one", "-o", "none", "--add"], "none: no such folder"),
+        (["one", "-o", "empty", "--add"], "empty: is not a collection"),
+        (["one", "-o", "begun", "--add"], "begun: holds no finished collection"),
         (["one", "-o", "out", "--add", "--semi", "4"], "--semi is not used with --add"),
         (["one", "-o", "out", "--sequence", "--pairs", "all"], "say one"),
         (["one", "-o", "out", "--scheduler", "nonsense://x"], "no Dask scheduler answers"),
@@ -345,12 +350,23 @@ def test_an_addition_that_is_killed_changes_nothing(made, tmp_path, monkeypatch,
 )
 def test_what_cannot_be_done_is_refused_in_a_line(arguments, words, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "one").mkdir()
+    for name in ("one", "empty", "begun/work"):
+        (tmp_path / name).mkdir(parents=True)
+    (tmp_path / "file").write_text("mine")
     cp.write(cp.make_icosphere(1), tmp_path / "one" / "ball.ply")
     inline = [] if "--scheduler" in arguments else ["--scheduler", "inline"]
     assert command([*arguments, "-q", *inline]) == 1
     said = capsys.readouterr().err
     assert words in said and said.startswith("error: ") and said.count("\n") == 1
+
+
+def test_a_folder_that_is_no_collection_is_told_from_one_that_does_not_exist(tmp_path, capsys):
+    for folder, words in (("none", "no such folder"), ("", "is not a collection")):
+        with pytest.raises(cp.InvalidInput, match=words):
+            Collection(tmp_path / folder)
+        assert retrieve_command(["query.ply", "--in", str(tmp_path / folder)]) == 1
+        said = capsys.readouterr().err
+        assert words in said and "Errno" not in said and "run it again" not in said
 
 
 def test_landmarks_of_no_specimen_are_refused_before_the_work(folder, tmp_path):
