@@ -50,8 +50,9 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     _refuse_landmarks_on(named, left_out, settings)
     root = _root(specimens, settings)
     if len(specimens) - len(apart) < 2:
+        usable = len(specimens) - len(apart)
         raise InvalidInput(
-            f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out, len(specimens) - len(apart))}"
+            f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out, usable)}"
         )
     alone = root if apart else None
     network = network_of(runner, store, specimens, settings, progress, root, alone)
