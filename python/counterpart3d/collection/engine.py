@@ -49,11 +49,10 @@ def build(folder: str, out: str, settings: Settings, runner: Runner, progress: P
     left_out = {**files.left_out, **left_out}
     _refuse_landmarks_on(named, left_out, settings)
     root = _root(specimens, settings)
-    if len(specimens) - len(apart) < 2:
-        usable = len(specimens) - len(apart)
-        raise InvalidInput(
-            f"{folder}: a collection needs two meshes or more that can be used; {_first(left_out, usable)}"
-        )
+    found = len(specimens) - len(apart)
+    if found < 2:
+        why = _first(left_out, found)
+        raise InvalidInput(f"{folder}: a collection needs two meshes or more that can be used; {why}")
     alone = root if apart else None
     network = network_of(runner, store, specimens, settings, progress, root, alone)
     template = network.tree.root

@@ -226,11 +226,11 @@ def _local_cluster(count: int) -> Any:
         return LocalCluster(  # type: ignore[no-untyped-call]
             n_workers=count, threads_per_worker=1, dashboard_address=":0", silence_logs=50
         )
-    except RuntimeError as error:
+    except RuntimeError:
         raise InvalidInput(
             "no process for the work could be started: a script needs the line if __name__ == '__main__': above what "
             'it runs, or scheduler="inline"'
-        ) from error
+        ) from None  # Dask's reasons are long and do not say it
 
 
 class Progress:

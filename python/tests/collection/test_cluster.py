@@ -160,6 +160,7 @@ def test_a_script_that_starts_itself_again_is_told_so(tmp_path):
         [sys.executable, script, tmp_path / "in", tmp_path / "out"], capture_output=True, text=True, check=False
     )
     assert found.returncode == 1 and "if __name__ == '__main__'" in found.stderr.splitlines()[-1]
+    assert "Nanny" not in found.stderr and "exception was" not in found.stderr
 
 
 def contents(root):
