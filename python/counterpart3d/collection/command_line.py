@@ -130,8 +130,9 @@ def _print_left_out(left_out: dict[str, str]) -> None:
 
 
 def _refuse_beside_add(given: argparse.Namespace) -> None:
-    for name in ("template", "landmarks", "landmark_axes", "semi", "same_scale", "sequence"):
-        if getattr(given, name):
+    settings = ("template", "landmarks", "landmark_axes", "semi", "mirror", "same_scale", "sequence", "pairs", "rounds")
+    for name in (*settings, "seed"):
+        if getattr(given, name) != _collection_parser().get_default(name):
             raise InvalidInput(
                 f"--{name.replace('_', '-')} is not used with --add: the collection stays as it was made"
             )
