@@ -186,12 +186,19 @@ def test_processes_make_what_one_makes(tmp_path):
     check_same(tmp_path / "out", once.folder)
 
 
+def heed_interrupts():
+    """As in a terminal: what a shell starts in the background ignores them, and so do its children."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.parametrize("stage", ["shapes", "pairs"])
 def test_ctrl_c_in_a_terminal_says_one_line(tmp_path, stage):
     """It goes to all processes at once, while the workers work."""
     write_family(tmp_path / "in", 12)
     arguments = program(tmp_path / "in", "-o", tmp_path / "out")
-    process = subprocess.Popen(arguments, start_new_session=True, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        arguments, start_new_session=True, preexec_fn=heed_interrupts, stderr=subprocess.PIPE, text=True
+    )
     while not list((tmp_path / "out" / "work").glob(f"{stage}/*.npz")) and process.poll() is None:
         time.sleep(0.02)
     os.killpg(process.pid, signal.SIGINT)
