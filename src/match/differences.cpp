@@ -8,6 +8,7 @@
 #include "match/differences/triangle_pairs.hpp"
 #include "match/differences/verification.hpp"
 #include "match/symmetry/choice.hpp"
+#include "mesh/separate_faces.hpp"
 
 #include <counterpart/match/differences.hpp>
 
@@ -130,9 +131,7 @@ std::string summarize(MeshView source, MeshView target, const MeshDifferences& d
         differences.edits.size() == 1 ? "1 place differs"
                                       : fmt::format("{} places differ", differences.edits.size()),
         differences.winding_reversed ? "; the target's winding is reversed" : "",
-        differences.is_ambiguous
-            ? "; the meshes are so regular that another way to match them fits nearly as well"
-            : "");
+        differences.is_ambiguous ? "; another way to match the meshes fits nearly as well" : "");
 }
 
 MeshDifferences find(MeshView source, MeshView target, const Progress& progress) {
@@ -145,16 +144,18 @@ MeshDifferences find(MeshView source, MeshView target, const Progress& progress)
 
     MeshDifferences differences;
     differences.winding_reversed = shared.reversed;
-    differences.is_ambiguous = shared.ambiguous;
+    // One separate face is as good as another.
+    differences.is_ambiguous =
+        shared.ambiguous || mesh::has_separate_faces(source) || mesh::has_separate_faces(target);
     differences.agreement = shared.agreement;
     differences.target_from_source = VertexMap(std::move(shared.image), target.n_vertices());
     const std::vector<Index>& partner = shared.partner;
     differences.untold = std::move(shared.untold);
-    differences.uncertain =
-        shared.ambiguous ? matched_vertices(differences.target_from_source)
-                         : united(differences.untold,
-                                  differences::weakly_supported(source, target, partner,
-                                                                differences.target_from_source.image()));
+    differences.uncertain = differences.is_ambiguous
+                                ? matched_vertices(differences.target_from_source)
+                                : united(differences.untold, differences::weakly_supported(
+                                                                 source, target, partner,
+                                                                 differences.target_from_source.image()));
     list_unmatched(source, target, partner, differences);
     const auto regions = differences::matched_regions(a, partner);
     if (!regions.empty()) differences.largest_region = static_cast<Index>(regions[0].size());

@@ -4,6 +4,7 @@
 #include "match/exact/isomorphism.hpp"
 #include "match/exact/polygons.hpp"
 #include "match/place/same_places.hpp"
+#include "mesh/separate_faces.hpp"
 
 #include <counterpart/base/errors.hpp>
 #include <counterpart/match/exact.hpp>
@@ -139,18 +140,20 @@ std::vector<Index> duplicates(const std::vector<Index>& welded, const WeldResult
     return result;
 }
 
-ExactResult match_welded(MeshView source, MeshView target, const ExactOptions& options) {
-    const WeldResult welded_source = weld(source, {options.weld_distance}),
-                     welded_target = weld(target, {options.weld_distance});
+ExactResult match_welded(MeshView source, MeshView target, double distance, const ExactOptions& options) {
+    const WeldResult welded_source = weld(source, {distance}), welded_target = weld(target, {distance});
     ExactResult result = match_unwelded(welded_source.mesh, welded_target.mesh, options);
-    if (!result.identical) return result;
+    const std::string sentence =
+        fmt::format("welded for the match: {} -> {} and {} -> {} vertices", source.n_vertices(),
+                    welded_source.mesh.n_vertices(), target.n_vertices(), welded_target.mesh.n_vertices());
+    if (!result.identical) {
+        result.difference += "; " + sentence;
+        return result;
+    }
     result.by_place = duplicates(result.by_place, welded_source);
     for (Message& message : result.messages)
         message.where.vertices = duplicates(message.where.vertices, welded_source);
-    result.messages.push_back(
-        {MessageCode::welded, Severity::notice,
-         fmt::format("welded for the match: {} -> {} and {} -> {} vertices", source.n_vertices(),
-                     welded_source.mesh.n_vertices(), target.n_vertices(), welded_target.mesh.n_vertices())});
+    result.messages.push_back({MessageCode::welded, Severity::notice, sentence});
     result.target_from_source = unwelded(result.target_from_source, result.target_corner_from_source, source,
                                          target, welded_source, welded_target);
     // Other matches are known by vertex only; their duplicates all take the first one.
@@ -168,8 +171,10 @@ ExactResult match_exact(MeshView source, MeshView target, const ExactOptions& op
     require_valid(target);
     if (options.max_alternatives < 0) throw InvalidInput("max_alternatives must be 0 or more");
     return with_threads(options.n_threads, [&] {
-        return options.weld_distance < 0 ? match_unwelded(source, target, options)
-                                         : match_welded(source, target, options);
+        if (options.weld_distance >= 0) return match_welded(source, target, options.weld_distance, options);
+        const bool are_separate = mesh::has_separate_faces(source) || mesh::has_separate_faces(target);
+        return are_separate ? match_welded(source, target, 0, options)
+                            : match_unwelded(source, target, options);
     });
 }
 

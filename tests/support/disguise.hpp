@@ -25,6 +25,9 @@ TriangleMesh moved(const TriangleMesh& mesh, std::uint64_t seed);
 /// In another pose, moved and shuffled.
 DisguisedMesh posed(const TriangleMesh& mesh);
 
+/// Every triangle with three vertices of its own: corner c of triangle t is vertex 3 t + c.
+TriangleMesh with_separate_triangles(const TriangleMesh& mesh);
+
 /// x -> -x with the winding reversed, so that the outside stays outside.
 TriangleMesh mirrored(const TriangleMesh& mesh);
 

@@ -37,7 +37,7 @@ enum class MessageCode {
     flat,                 ///< its sides cannot be told apart
     sphere_like,          ///< nearly symmetric about every axis
     fused,                ///< parts of it that touch seem to be one surface
-    welded,               ///< vertices merged, as was asked for
+    welded,               ///< vertices merged for the match
     recut_polygons,       ///< cut into other triangles in the other mesh
     reversed_triangles,   ///< wound the other way in the other mesh
     // How two meshes differ.

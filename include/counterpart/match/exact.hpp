@@ -18,8 +18,9 @@ struct ExactOptions {
     /// Let geometry also choose among orientation-reversing matches. They are used without this where nothing
     /// else fits (the target's winding is reversed).
     bool allow_mirror = false;
-    /// First weld vertices of each mesh that are no further apart than this, in mesh units; negative: no
-    /// welding. Every duplicate gets a partner of its own where the corners tell.
+    /// First weld vertices of each mesh that are no further apart than this, in mesh units. Negative: weld
+    /// only where more than half of the vertices of a mesh lie at the places of others, as its faces are
+    /// separate, and then with 0. Every duplicate gets a partner of its own where the corners tell.
     double weld_distance = -1;
     /// How many of the other matches that a symmetric mesh has to return, best first; at least 0.
     Index max_alternatives = 0;

@@ -14,6 +14,7 @@
 #include "match/spectral/prepared_shape.hpp"
 #include "match/spectral/requests.hpp"
 #include "match/surface/openness.hpp"
+#include "mesh/separate_faces.hpp"
 
 #include <counterpart/base/errors.hpp>
 
@@ -84,6 +85,7 @@ class Deciding {
         if (!decision_.may_be_part && fewer < least_min_shared * more) return false;
         same_places_ = place::find_same_places(source_, target_).has_value();
         if (same_places_) return false;  // whatever their faces
+        if (mesh::has_separate_faces(source_) || mesh::has_separate_faces(target_)) return false;
         const MeshDifferences& shared = find_shared();
         const auto [less_shared, more_shared] = std::minmax({shared.source_share, shared.target_share});
         // What a part lacks cannot be shared.

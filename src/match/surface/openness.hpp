@@ -6,7 +6,8 @@
 
 namespace counterpart::surface_match {
 
-/// How open a surface is: length of its boundary, over the square root of its area. O(F log F).
+/// How open a surface is: length of its boundary, over the square root of its area. A seam, where vertices
+/// lie at one place, is no boundary. O(F log F).
 double openness(MeshView mesh);
 
 /// Below this a boundary is no opening but a seam or a slit, as where one vertex lies at the place of

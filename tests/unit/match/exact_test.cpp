@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -249,14 +250,7 @@ TEST(MatchExact, ReportsProgressAndStops) {
 }
 
 TEST(MatchExact, WeldsDuplicatesAndFindsAPartnerForEach) {
-    const TriangleMesh mesh = lopsided();
-    TriangleMesh soup{Points(3 * mesh.n_triangles(), 3), Triangles(mesh.n_triangles(), 3)};
-    for (Index t = 0; t < mesh.n_triangles(); ++t) {
-        for (int c = 0; c < 3; ++c) {
-            soup.vertices.row(3 * t + c) = mesh.vertices.row(mesh.triangles(t, c));
-            soup.triangles(t, c) = 3 * t + c;
-        }
-    }
+    const TriangleMesh soup = test::with_separate_triangles(lopsided());
     const test::DisguisedMesh target = test::shuffled(soup, 12);
     ExactOptions options;
     options.weld_distance = 0;
@@ -264,6 +258,36 @@ TEST(MatchExact, WeldsDuplicatesAndFindsAPartnerForEach) {
     ASSERT_TRUE(result.identical);
     EXPECT_EQ(result.target_from_source, target.mesh_from_original);
     EXPECT_EQ(result.automorphisms.number, 1U);
+}
+
+TEST(MatchExact, WeldsSeparateTrianglesUnasked) {
+    const TriangleMesh body = make_body({.subdivisions = 1}), source = test::with_separate_triangles(body);
+    const TriangleMesh bent = deform(body, {.bend = 0.9, .twist = 0.4});
+    const test::DisguisedMesh target = test::shuffled(test::with_separate_triangles(bent), 12);
+    const ExactResult result = match_exact(source, target.mesh);
+    ASSERT_TRUE(result.identical) << result.difference;
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_TRUE(contains(result.messages, MessageCode::welded));
+    EXPECT_TRUE(result.by_place.empty());
+
+    const TriangleMesh finer = test::with_separate_triangles(subdivide(bent));
+    const ExactResult other = match_exact(source, finer);
+    EXPECT_FALSE(other.identical);
+    EXPECT_NE(other.difference.find(std::to_string(source.n_vertices()) + " -> " +
+                                    std::to_string(body.n_vertices())),
+              std::string::npos)
+        << other.difference;
+}
+
+TEST(MatchExact, LeavesTrianglesThatAreApart) {
+    Random random(3);
+    TriangleMesh leaves = test::with_separate_triangles(make_icosphere(2));
+    for (double& x : leaves.vertices.reshaped()) x += random.uniform(0, 0.01);
+    const test::DisguisedMesh target = test::shuffled(leaves, 12);
+    const ExactResult result = match_exact(leaves, target.mesh);
+    ASSERT_TRUE(result.identical);
+    EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+    EXPECT_FALSE(contains(result.messages, MessageCode::welded));
 }
 
 TEST(MatchExact, GivesTheOtherMatchesOfASymmetricMesh) {

@@ -9,6 +9,7 @@
 
 #include <counterpart/map/invert.hpp>
 #include <counterpart/match/match.hpp>
+#include <counterpart/match/verdict.hpp>
 #include <counterpart/mesh/measure.hpp>
 #include <counterpart/mesh/shapes.hpp>
 #include <counterpart/mesh/variants.hpp>
@@ -42,6 +43,43 @@ TEST(Match, SameConnectivityIsExact) {
     EXPECT_FALSE(result.spectral.has_value());
     ASSERT_FALSE(result.stages.empty());
     EXPECT_EQ(result.stages[0].stage, "exact");
+}
+
+TEST(Match, SeparateTrianglesOfTheSameSurfaceAreExact) {
+    const TriangleMesh body = make_body({.subdivisions = 1}), source = test::with_separate_triangles(body);
+    const TriangleMesh bent = deform(body, {.bend = 0.9, .twist = 0.4});
+    const test::DisguisedMesh target = test::shuffled(test::with_separate_triangles(bent), 5);
+    for (const MatchMethod method : {MatchMethod::automatic, MatchMethod::exact}) {
+        MatchOptions options;
+        options.method = method;
+        const MatchResult result = match(source, target.mesh, options);
+        EXPECT_EQ(result.method, MatchMethod::exact);
+        EXPECT_EQ(result.target_from_source, target.mesh_from_original);
+        EXPECT_TRUE(contains(result.messages, MessageCode::welded));
+    }
+    EXPECT_EQ(match(source, bent).method, MatchMethod::exact);
+}
+
+TEST(Match, SeparateTrianglesShowNothingByTheirConnectivity) {
+    const TriangleMesh body = make_body({.subdivisions = 0}), source = test::with_separate_triangles(body);
+    const TriangleMesh finer = subdivide(deform(body, {.bend = 0.5}));
+    const TriangleMesh target = test::with_separate_triangles(finer);
+    const MatchResult result = match(source, target, quick());
+    EXPECT_EQ(result.method, MatchMethod::spectral) << result.reason;
+    const double limit = 0.1 * std::sqrt(surface_area(finer));
+    Index n_near = 0;
+    for (Index t = 0; t < body.n_triangles(); ++t)
+        for (int c = 0; c < 3; ++c)  // the vertices of the coarse mesh are the first of the finer one
+            n_near += (target.vertices.row(result.target_from_source[3 * t + c]) -
+                       finer.vertices.row(body.triangles(t, c)))
+                                  .norm() < limit
+                          ? 1
+                          : 0;
+    EXPECT_GT(n_near, 0.9 * source.n_vertices());
+
+    const MatchResult shared = match(source, target, quick(MatchMethod::exact));
+    EXPECT_LE(shared.confidence.maxCoeff(), 0.5);
+    EXPECT_EQ(verdict(shared).advice, Advice::check) << result.reason;
 }
 
 TEST(Match, AFlippedEdgeLeavesTheRestExact) {

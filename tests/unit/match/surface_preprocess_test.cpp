@@ -36,13 +36,7 @@ TEST(SurfacePreprocess, IsTheWholeOfAGoodMesh) {
 
 TEST(SurfacePreprocess, JoinsASoupOfTriangles) {
     const TriangleMesh ball = make_icosphere(2);
-    TriangleMesh soup{Points(3 * ball.n_triangles(), 3), Triangles(ball.n_triangles(), 3)};
-    for (Index t = 0; t < ball.n_triangles(); ++t) {
-        for (int c = 0; c < 3; ++c) {
-            soup.vertices.row(3 * t + c) = ball.vertices.row(ball.triangles(t, c));
-            soup.triangles(t, c) = 3 * t + c;
-        }
-    }
+    const TriangleMesh soup = test::with_separate_triangles(ball);
     const Preprocessed result = preprocess(soup);
     EXPECT_EQ(result.mesh.n_vertices(), ball.n_vertices());
     EXPECT_EQ(result.n_merged, soup.n_vertices() - ball.n_vertices());
