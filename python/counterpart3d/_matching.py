@@ -92,7 +92,7 @@ def match(
     allow_mirror : bool
         Exact: let geometry also choose among orientation-reversing matches.
     weld_distance : float, optional
-        Exact: first merge vertices up to this far apart, in mesh units.
+        Exact: first merge vertices up to this far apart, in mesh units; default: only where triangles share none, 0.
     min_shared : float
         "auto" keeps the exact map of what the meshes share if it covers this share of both, or, where a mesh is open
         or `part` is given, of one of them, 0.5 .. 1.
